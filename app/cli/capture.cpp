@@ -48,12 +48,12 @@ class Remarks {
     common_.note("No readings for " + formatFixed(wait.duration_s, 0) + " s. " + wait.why.english());
   }
   void operator()(const PoseAdvised& next) { common_.note("Next: " + next.advice.english()); }
-  void operator()(const CourseEvent& event) { std::visit(*this, event); }
+  void operator()(const WorkflowEvent& event) { std::visit(*this, event); }
   void operator()(const PoseKept& kept) {
     const CapturedPose& captured = kept.captured;
     const std::string pose = "Pose " + toString(captured.pose->id);
     std::string text = pose + " captured: " + counted(captured.pose->samples.size(), "cell");
-    if (!captured.silent_cells.empty()) text += ", silent " + listInWords(captured.silent_cells);
+    if (!captured.silent_cells.empty()) text += ", silent " + listText(captured.silent_cells);
     if (captured.repeats) {
       text += "; it repeats pose " + toString(*captured.repeats) + " (" + degrees(captured.repeat_angle_rad, 1) + ")";
     }
@@ -79,7 +79,7 @@ class Remarks {
 
  private:
   const Common& common_;
-  OffenceNotes offences_;
+  ProtocolViolationNotes offences_;
   bool is_begun_ = false;
   SourceState state_{};
 };
@@ -94,7 +94,7 @@ Json toJson(const BlockedTime& time) {
   return json;
 }
 
-Json toJson(const HoldLedger& ledger) {
+Json toJson(const StillnessStatistics& ledger) {
   const auto odd_json = [](const OddCell& odd) -> Json {
     return {{"cell", odd.cell.value()}, {"is", oddCellName(odd.kind)}, {"message", describe(odd).english()}};
   };
@@ -107,7 +107,7 @@ Json toJson(const HoldLedger& ledger) {
 }
 
 /// Why there is no pose.
-void printWhatBlocked(const HoldLedger& ledger) {
+void printWhatBlocked(const StillnessStatistics& ledger) {
   if (!ledger.last()) {
     std::cout << "No pose was captured: no readings came.\n";
     return;
@@ -162,7 +162,7 @@ void print(const LiveCaptureState& capture, const LiveCaptureOptions& options, c
   if (status.clock_restarts > 0) {
     std::cout << "The device's clock was set back " << counted(status.clock_restarts, "time") << ".\n";
   }
-  for (const Offence& offence : status.offences) {
+  for (const ProtocolViolation& offence : status.offences) {
     std::cout << "The device did something wrong " << counted(offence.count, "time") << " ("
               << offenceName(offence.kind) << "): " << inWords(offence) << '\n';
   }
@@ -252,7 +252,7 @@ void addCapture(CLI::App& app, Common& common) {
       "  hexoderm-cli capture --source sim:robot --auto --poses 8 -o arm.hexo\n"
       "  hexoderm-cli solve arm.hexo -o arm.calibration.json",
       run);
-  command.add_option("--source", options.source, sourceKindsInWords())->required();
+  command.add_option("--source", options.source, sourceKindsText())->required();
   takeWholeNumbers(
       command.add_option("--poses", options.poses,
                          "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"),

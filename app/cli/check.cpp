@@ -120,8 +120,7 @@ void addCheck(CLI::App& app, Common& common) {
   options.live.poses = 2;
   addInput(command, "calibration", options.calibration, "Calibration (*.calibration.json)")->required();
   addInput(command, "session", options.session, "Session with the new poses (*.hexo or *.session.json)");
-  CLI::Option* source =
-      command.add_option("--source", options.live.source, "Take the poses now: " + sourceKindsInWords());
+  CLI::Option* source = command.add_option("--source", options.live.source, "Take the poses now: " + sourceKindsText());
   takeWholeNumbers(addWithDefault(command, "--poses", options.live.poses, "Poses to take"), 1, 100)->needs(source);
   command.add_flag("--auto", options.live.automatic, "The device turns itself")->needs(source);
   takeNumbersAbove(addWithDefault(command, "--timeout", options.live.timeout_s,

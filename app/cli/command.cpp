@@ -152,7 +152,7 @@ CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least, std::uin
 }
 
 CLI::Option* takeDirection(CLI::Option* option) {
-  return takeNumbers(option->expected(3)->delimiter(','), -kMostLength_m, kMostLength_m);
+  return takeNumbers(option->expected(3)->delimiter(','), -kMaxLength_m, kMaxLength_m);
 }
 
 Output::Output(std::string name, const Common& common) : name_(std::move(name)) {
@@ -184,7 +184,7 @@ void Output::write(const Session& session) const {
   write([&](const WriteBytes& take) { writeSessionJson(session, take); });
 }
 
-void OffenceNotes::show(const std::vector<Offence>& offences) {
+void ProtocolViolationNotes::show(const std::vector<ProtocolViolation>& offences) {
   for (; shown_ < offences.size(); ++shown_) {
     common_.note("The device does something wrong (" + std::string(offenceName(offences[shown_].kind)) +
                  "): " + inWords(offences[shown_]).english());
@@ -278,16 +278,16 @@ void printFindings(const std::vector<Finding>& findings) {
   }
   std::cout << "Findings: " << findings.size() << '\n';
   // Of hundreds of a kind nobody reads more than the first; among them another kind would be overlooked.
-  constexpr std::size_t kMostOfAKind = 20;
+  constexpr std::size_t kMaxOfAKind = 20;
   std::map<FindingCode, std::size_t> counts;
   for (const Finding& finding : findings) {
-    if (++counts[finding.code] > kMostOfAKind) continue;
+    if (++counts[finding.code] > kMaxOfAKind) continue;
     std::cout << "  " << severityName(finding.severity) << "  " << codeName(finding.code) << ": "
               << forTerminal(finding.message.english()) << '\n';
   }
   for (const auto& [code, count] : counts) {
-    if (count <= kMostOfAKind) continue;
-    std::cout << "  and " << count - kMostOfAKind << " more of " << codeName(code) << "; --json lists all\n";
+    if (count <= kMaxOfAKind) continue;
+    std::cout << "  and " << count - kMaxOfAKind << " more of " << codeName(code) << "; --json lists all\n";
   }
 }
 
@@ -326,8 +326,8 @@ nlohmann::ordered_json toJson(const Assessment& verdict) {
           {"next_action", verdict.next_action.english()}};
 }
 
-nlohmann::ordered_json toJson(const std::vector<Offence>& offences) {
-  return arrayOf(offences, [](const Offence& offence) -> Json {
+nlohmann::ordered_json toJson(const std::vector<ProtocolViolation>& offences) {
+  return arrayOf(offences, [](const ProtocolViolation& offence) -> Json {
     return {{"kind", offenceName(offence.kind)},
             {"count", offence.count},
             {"reason", offence.reason.english()},

@@ -3,7 +3,7 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/mounting/attachment/links.h"
 #include "hexoderm/robots/robot_model.h"
@@ -172,10 +172,10 @@ AddCommand addSimulate, addCapture, addListen, addSolve, addEvaluate, addCheck, 
 Session captureSession(const LiveCaptureOptions& options, const Common& common);
 
 /// Says every offence of a device once, as soon as it is known.
-class OffenceNotes {
+class ProtocolViolationNotes {
  public:
-  explicit OffenceNotes(const Common& common) : common_(common) {}
-  void show(const std::vector<Offence>& offences);
+  explicit ProtocolViolationNotes(const Common& common) : common_(common) {}
+  void show(const std::vector<ProtocolViolation>& offences);
 
  private:
   const Common& common_;
@@ -224,7 +224,7 @@ void printVerdict(const Assessment& verdict);
 nlohmann::ordered_json toJson(const Finding& finding);
 nlohmann::ordered_json toJson(const Assessment& verdict);
 nlohmann::ordered_json toJson(const std::vector<Finding>& findings);
-nlohmann::ordered_json toJson(const std::vector<Offence>& offences);
+nlohmann::ordered_json toJson(const std::vector<ProtocolViolation>& offences);
 void printJson(const nlohmann::ordered_json& json);
 /// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
 void printJsonText(std::string_view text);

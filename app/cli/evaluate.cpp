@@ -34,7 +34,7 @@ class Evaluation {
  public:
   Evaluation(const Reconstruction& calibration, bool json)
       : calibration_(calibration), json_(json), out_(json ? nullptr : std::cout.rdbuf()) {
-    out_ << sizeInWords(calibration) << '\n';
+    out_ << sizeText(calibration) << '\n';
     if (calibration.patches.size() > 1) {
       out_ << "How the patches lie to each other is not known: every figure is one of a patch by itself.\n";
     }
@@ -204,7 +204,7 @@ void addEvaluate(CLI::App& app, Common& common) {
   command.add_option("--fit", options.fit, "plane, sphere, cylinder or cone through the cell centres");
   takeNumbersAbove(
       command.add_option("--true-radius", options.true_radius_m, "Known radius in metres: gives eqs. (20), (21)"), 0,
-      kMostLength_m);
+      kMaxLength_m);
   command.add_option("--loop", options.loop, "Gap between two free ports: CELL:PORT,CELL:PORT");
   addInput(command, "--against", options.against, "Calibration, or session with truth, to compare with");
 }

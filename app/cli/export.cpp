@@ -48,7 +48,7 @@ PatchOnLink placementFrom(const std::string& text, const Reconstruction& reconst
   if (numbers.size() != 6) fail(message("expected six numbers behind the link, found {}", numbers.size()));
   std::array<double, 6> values{};
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const double most = k < 3 ? kMostLength_m : kMostAngle_rad;
+    const double most = k < 3 ? kMaxLength_m : kMaxAngle_rad;
     values[k] = parseNumberWithin(numbers[k], "--place", -most, most);
   }
 
@@ -139,7 +139,7 @@ int run(const ExportCommandOptions& command, const Common& common) {
     const std::vector<PatchLeftOut> of_format = patchesLeftOut(*calibration, format, options);
     if (of_format.empty()) continue;
     addOnce(remarks,
-            leftOutInWords(of_format).english() +
+            leftOutText(of_format).english() +
                 (of_format.front().not_on_link ? " --place or --placements says where a patch is."
                                                : " --patch CELL writes the patch of a cell to a file of its own."));
     for (const PatchLeftOut& patch : of_format) {

@@ -54,7 +54,7 @@ Json describe(const Reconstruction& r, const std::string& kind) {
 void print(const Reconstruction& r, const std::string& path, const std::string& kind) {
   std::cout << forTerminal(path) << ": " << kind << " of cell model " << forTerminal(r.model->name) << '\n';
   if (!r.source.text.empty()) std::cout << "Source: " << forTerminal(r.source.text.english()) << '\n';
-  std::cout << "Skin: " << sizeInWords(r) << ", " << freePorts(r) << " free ports\n";
+  std::cout << "Skin: " << sizeText(r) << ", " << freePorts(r) << " free ports\n";
   for (const PatchReconstruction& patch : r.patches) {
     std::cout << "  patch " << patch.id << ": " << counted(patch.cells.size(), "cell") << ", origin cell "
               << patch.origin << '\n';

@@ -19,7 +19,7 @@ namespace hexoderm::cli {
 namespace {
 
 /// No cell is as quick.
-constexpr double kMostRate_hz = 1e6;
+constexpr double kMaxRate_hz = 1e6;
 
 struct ListenOptions {
   std::string source;
@@ -85,7 +85,7 @@ void listenTo(const Ear& ear, SkinSource& source, CommandTrial& trial, double ti
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::seconds kForAnswers(4);  // a source waits for 3 s, and longer for a device that is at it
   constexpr std::chrono::milliseconds kLookEvery(50);
-  OffenceNotes notes(common);
+  ProtocolViolationNotes notes(common);
   const Clock::time_point end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(time_s));
   while (true) {
@@ -168,15 +168,15 @@ void printSpread(const std::string& name, const std::optional<Spread>& spread, c
             << figure(spread->most) << '\n';
 }
 
-constexpr std::size_t kMost = 32;  // cells that are listed
+constexpr std::size_t kMax = 32;  // cells that are listed
 
 void printSilent(const std::vector<CellId>& cells) {
   if (cells.empty()) return;
   std::cout << "Silent: ";
-  if (cells.size() > kMost) {
+  if (cells.size() > kMax) {
     std::cout << cells.size() << " cells\n";
   } else {
-    std::cout << (cells.size() == 1 ? "cell " : "cells ") << listInWords(cells) << '\n';
+    std::cout << (cells.size() == 1 ? "cell " : "cells ") << listText(cells) << '\n';
   }
 }
 
@@ -188,7 +188,7 @@ void printCells(const std::vector<CellHeard>& cells) {
   const auto figure = [&](const std::optional<double>& value, int decimals, std::size_t width) {
     return column(value ? formatFixed(*value, decimals) : "-", width);
   };
-  for (std::size_t k = 0; k < cells.size() && k < kMost; ++k) {
+  for (std::size_t k = 0; k < cells.size() && k < kMax; ++k) {
     const CellHeard& cell = cells[k];
     const std::optional<double> norm = cell.norm_g ? std::optional(cell.norm_g->median) : std::nullopt;
     const std::optional<double> noise_mg = cell.noise_g ? std::optional(*cell.noise_g * kMilli) : std::nullopt;
@@ -200,7 +200,7 @@ void printCells(const std::vector<CellHeard>& cells) {
     std::cout << '\n';
   }
   std::cout << "x, y and z are means along the axes of the cell.\n";
-  if (cells.size() > kMost) std::cout << "... and " << cells.size() - kMost << " more; --json has all\n";
+  if (cells.size() > kMax) std::cout << "... and " << cells.size() - kMax << " more; --json has all\n";
 }
 
 void print(const CommandTrial::Answered& command) {
@@ -234,7 +234,7 @@ void print(const ListeningReport& report, const CommandTrial& trial) {
   }
   if (report.is_described) printCells(report.cells);
   std::cout << "Offences: " << (report.offences.empty() ? "none" : std::to_string(report.offences.size())) << '\n';
-  for (const Offence& offence : report.offences) {
+  for (const ProtocolViolation& offence : report.offences) {
     std::cout << "  " << offenceName(offence.kind) << " (" << offence.count << "): " << inWords(offence) << '\n';
   }
   for (const CommandTrial::Answered& command : trial.answers()) print(command);
@@ -277,7 +277,7 @@ void addListen(CLI::App& app, Common& common) {
       "4: no device there.\n"
       "Example:\n  hexoderm-cli listen sim:x17 --for 1",
       run);
-  command.add_option("source", options.source, sourceKindsInWords())->required();
+  command.add_option("source", options.source, sourceKindsText())->required();
   takeNumbersAbove(
       addWithDefault(command, "--for", options.time_s, "Seconds to listen; Ctrl+C ends it before, with its report"), 0,
       kLongestWait_s);
@@ -286,7 +286,7 @@ void addListen(CLI::App& app, Common& common) {
       std::numeric_limits<std::uint32_t>::max());
   takeNumbersAbove(
       command.add_option("--rate", options.rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
-      kMostRate_hz);
+      kMaxRate_hz);
   command.add_flag("--explore", options.explore, "Ask the device to explore its neighbours again (ExploreAgain)");
 }
 

@@ -26,7 +26,7 @@ constexpr std::string_view kPointSyntax = "CELL:x,y,z[:sigma]";
 constexpr std::string_view kDistanceSyntax = "CELL:CELL:distance[:sigma]";
 constexpr std::string_view kRotationSyntax = "[CELL@]roll,pitch,yaw[:sigma]";
 constexpr std::string_view kFromLinks = "links";
-constexpr double kLeastAngleSigma_deg = 0.001;  ///< of a rotation, and of the normals
+constexpr double kMinAngleSigma_deg = 0.001;  ///< of a rotation, and of the normals
 constexpr double kFullTurn_deg = 360;
 
 struct PlaceCommandOptions {
@@ -67,9 +67,9 @@ KnownPoint pointFrom(const std::string& text) {
   if (parts.size() != 2 && parts.size() != 3) refuse("--point", kPointSyntax, text);
   KnownPoint point;
   point.cell = CellId(parseUnsigned(parts[0], "--point"));
-  const std::vector<double> x = numbersFrom(parts[1], 3, "--point", kPointSyntax, text, kMostPlaceLength_m);
+  const std::vector<double> x = numbersFrom(parts[1], 3, "--point", kPointSyntax, text, kMaxPlaceLength_m);
   point.x_l = {x[0], x[1], x[2]};
-  if (parts.size() == 3) point.sigma_m = parseNumberWithin(parts[2], "--point", kLeastPlaceSigma_m, kMostPlaceLength_m);
+  if (parts.size() == 3) point.sigma_m = parseNumberWithin(parts[2], "--point", kMinPlaceSigma_m, kMaxPlaceLength_m);
   return point;
 }
 
@@ -79,9 +79,9 @@ KnownDistance distanceFrom(const std::string& text) {
   KnownDistance distance;
   distance.a = CellId(parseUnsigned(parts[0], "--distance"));
   distance.b = CellId(parseUnsigned(parts[1], "--distance"));
-  distance.distance_m = parseNumberWithin(parts[2], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
+  distance.distance_m = parseNumberWithin(parts[2], "--distance", kMinPlaceSigma_m, kMaxPlaceLength_m);
   if (parts.size() == 4)
-    distance.sigma_m = parseNumberWithin(parts[3], "--distance", kLeastPlaceSigma_m, kMostPlaceLength_m);
+    distance.sigma_m = parseNumberWithin(parts[3], "--distance", kMinPlaceSigma_m, kMaxPlaceLength_m);
   return distance;
 }
 
@@ -131,7 +131,7 @@ void addRotation(const Reconstruction& r, const std::string& text, PlaceTask& ta
   if (parts.size() > 2) refuse("--rotation", kRotationSyntax, text);
   const std::vector<double> rpy = numbersFrom(parts[0], 3, "--rotation", kRotationSyntax, text, kFullTurn_deg);
   const double sigma_deg =
-      parts.size() == 2 ? parseNumberWithin(parts[1], "--rotation: sigma", kLeastAngleSigma_deg, kFullTurn_deg) : 1;
+      parts.size() == 2 ? parseNumberWithin(parts[1], "--rotation: sigma", kMinAngleSigma_deg, kFullTurn_deg) : 1;
   KnownRotation rotation;
   rotation.R_l_o = rotationFromRpy({rpy[0] * kDegree, rpy[1] * kDegree, rpy[2] * kDegree});
   rotation.covariance = std::pow(sigma_deg * kDegree, 2) * Eigen::Matrix3d::Identity();
@@ -388,12 +388,12 @@ void addPlace(CLI::App& app, Common& common) {
       ->check(CLI::IsMember({"any", "visual", "collision"}));
   takeNumbers(addWithDefault(command, "--surface-sigma", options.surface_sigma_mm,
                              "How far backs of cells are off the mesh, 1 sigma, mm"),
-              toMillimetres(kLeastPlaceSigma_m), toMillimetres(kMostPlaceLength_m));
+              toMillimetres(kMinPlaceSigma_m), toMillimetres(kMaxPlaceLength_m));
   takeNumbers(addWithDefault(command, "--normal-sigma", options.normal_sigma_deg,
                              "How far cells are tilted against it, 1 sigma, deg"),
-              kLeastAngleSigma_deg, kFullTurn_deg);
+              kMinAngleSigma_deg, kFullTurn_deg);
   takeNumbers(addWithDefault(command, "--gap", options.gap_mm, "Glue or cloth between the backs and the mesh, mm"), 0,
-              toMillimetres(kMostPlaceLength_m));
+              toMillimetres(kMaxPlaceLength_m));
   addOutput(command, "-o,--output", options.output,
             "File for the best place, which export takes with --placements; - is standard output");
 }

@@ -6,7 +6,7 @@
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_joint_angles.h"
 #include "hexoderm/sim/fault_names.h"
-#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/robot_text.h"
 #include "hexoderm/sim/robot_truth_json.h"
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/sim/simulated_skin.h"
@@ -19,10 +19,10 @@ namespace hexoderm::cli {
 namespace {
 
 /// More than the range of any accelerometer.
-constexpr double kMostOffsetSigma_mg = 100'000;
+constexpr double kMaxOffsetSigma_mg = 100'000;
 
 struct SimulateOptions {
-  RobotInWords words;
+  RobotText words;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   std::string motion = "hand";
@@ -95,7 +95,7 @@ int run(const SimulateOptions& options, const Common& common) {
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg) model.accelerometer.offset_sigma_g = *options.offset_sigma_mg / 1000;
   model.validate();
-  RobotInWords words = options.words;
+  RobotText words = options.words;
   words.link_law = linkLawFromName(options.link_law);
   if (!words.robot.empty()) {
     common.progress("Laying the skins ...");
@@ -151,7 +151,7 @@ void addSimulate(CLI::App& app, Common& common) {
   addInput(command, "--cell-model", options.cell_model, "Built-in name or JSON file")->capture_default_str();
   takeNumbers(command.add_option("--offset-sigma", options.offset_sigma_mg,
                                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
-              0, kMostOffsetSigma_mg);
+              0, kMaxOffsetSigma_mg);
   CLI::Option* faults = command.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
       addWithDefault(command, "--motion", options.motion,

@@ -25,7 +25,7 @@ struct SolveOptions {
 };
 
 void printSummary(const Reconstruction& r, const Session& session) {
-  std::cout << sizeInWords(r) << ", " << session.poses().size() << " poses, solved in "
+  std::cout << sizeText(r) << ", " << session.poses().size() << " poses, solved in "
             << formatFixed(r.solve_seconds * 1000, 1) << " ms (" << r.solver << ")\n";
   for (const PatchReconstruction& patch : r.patches) {
     std::cout << "Patch " << patch.id << ": " << counted(patch.cells.size(), "cell") << ", origin cell "
@@ -105,7 +105,7 @@ void addSolve(CLI::App& app, Common& common) {
                    0, std::numeric_limits<std::uint32_t>::max());
   takeNumbersAbove(addWithDefault(command, "--class-threshold", options.class_threshold,
                                   "Singular value from which a direction counts as defined; 1 is the paper's"),
-                   0, kMostClassThreshold);
+                   0, kMaxClassThreshold);
   takeWholeNumbers(
       command.add_option("-j,--jobs", options.jobs,
                          "Of many sessions, so many at the same time (default: as the computer has threads)"),

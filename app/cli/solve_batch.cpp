@@ -28,7 +28,7 @@ constexpr std::string_view kCalibrationEnding = ".calibration.json";
 constexpr auto kLookForInterruptEvery = std::chrono::milliseconds(50);
 constexpr const char* kLastWordsOfBatch = "hexoderm-cli: interrupted; every calibration that was written is whole\n";
 /// Calibrations as text may wait for the line of a slow session before them: so many for each job.
-constexpr std::size_t kMostWaitingTexts = 4;
+constexpr std::size_t kMaxWaitingTexts = 4;
 
 /// NAME of NAME.session.json.
 std::string sessionName(const std::filesystem::path& input) {
@@ -79,7 +79,7 @@ struct EndedSession {
 std::string lineOf(const std::string& input, const Reconstruction& result, const std::filesystem::path& written) {
   std::string verdict(verdictName(result.assessment.level));
   std::ranges::replace(verdict, '_', ' ');
-  std::string line = input + ": " + verdict + ". " + sizeInWords(result).english() + ", " +
+  std::string line = input + ": " + verdict + ". " + sizeText(result).english() + ", " +
                      counted(result.poses.size(), "pose") + ", solved in " +
                      formatFixed(result.solve_seconds * 1000, 1) + " ms (" + result.solver + ")";
   if (!written.empty()) line += ". Written to " + written.string();
@@ -125,7 +125,7 @@ class BatchThreads {
       : outcomes_(batch.inputs.size()) {
     const std::size_t jobs = std::min(batch.jobs, batch.inputs.size());
     for (std::promise<EndedSession>& outcome : outcomes_) futures_.push_back(outcome.get_future());
-    ahead_.release(static_cast<std::ptrdiff_t>(json ? kMostWaitingTexts * jobs : batch.inputs.size() + jobs));
+    ahead_.release(static_cast<std::ptrdiff_t>(json ? kMaxWaitingTexts * jobs : batch.inputs.size() + jobs));
     for (std::size_t job = 0; job < jobs; ++job) {
       threads_.emplace_back([this, &batch, files, json, job] {
         const CoresInUse in_use(job == 0 ? 0 : 1);  // the first has the core that every call has

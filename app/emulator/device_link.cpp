@@ -36,7 +36,7 @@ using Clock = std::chrono::steady_clock;
 
 // A host that falls back this far gets no samples until it has caught up, and is left if it falls back further.
 constexpr std::size_t kFullBytes = 1U << 20U;
-constexpr std::size_t kMostBytes = 64U << 20U;
+constexpr std::size_t kMaxBytes = 64U << 20U;
 constexpr std::chrono::seconds kUdpHostLives(5);
 constexpr std::chrono::seconds kStalledHostLives(3);
 constexpr std::chrono::milliseconds kWatchEvery(250);
@@ -189,7 +189,7 @@ class TcpLink final : public Wire {
   [[nodiscard]] bool isFull() const override { return stream_ && stream_->waitingBytes() > kFullBytes; }
   bool send(Bytes frame) override {
     if (!stream_) return false;
-    if (stream_->waitingBytes() > kMostBytes) {
+    if (stream_->waitingBytes() > kMaxBytes) {
       disconnect();
       return false;
     }

@@ -3,7 +3,7 @@
 #include "hexoderm/base/interrupt.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/sim/fault_names.h"
-#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/robot_text.h"
 #include "hexoderm/sim/simulated_skin.h"
 
 #include <boost/asio/post.hpp>
@@ -29,7 +29,7 @@ constexpr int kBadInput = 3;
 constexpr int kDevice = 4;
 
 struct Options {
-  RobotInWords words;
+  RobotText words;
   std::string cell_model = "hex-bma150";
   std::string link_law = "bend";
   double offset_sigma_mg = -1;
@@ -106,7 +106,7 @@ std::unique_ptr<SimulatedBody> bodyOf(const Options& options) {
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
   SimulatedSkinOptions broken;
   for (const std::string& fault : options.faults) addFault(fault, "--fault", broken);
-  RobotInWords words = options.words;
+  RobotText words = options.words;
   words.link_law = linkLawFromName(options.link_law);
   words.faults = broken.faults;
   words.link_faults = broken.link_faults;

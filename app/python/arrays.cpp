@@ -10,20 +10,20 @@
 namespace hexoderm::python {
 namespace {
 
-std::string axisInWords(const Axis& axis) {
+std::string axisText(const Axis& axis) {
   if (axis.name == nullptr) return std::to_string(*axis.length);
   return axis.name + (axis.length ? "=" + std::to_string(*axis.length) : std::string());
 }
 
-std::string shapeInWords(const std::vector<Axis>& shape) {
-  return "(" + inARow(shape, axisInWords) + (shape.size() == 1 ? ",)" : ")");
+std::string shapeText(const std::vector<Axis>& shape) {
+  return "(" + inARow(shape, axisText) + (shape.size() == 1 ? ",)" : ")");
 }
 
 /// Exact: no fraction is cut off, and nothing is wrapped around.
 bool areWhole(const Doubles& values) {
-  constexpr double kMost = 1e15;
+  constexpr double kMax = 1e15;
   return std::all_of(values.data(), values.data() + values.size(),
-                     [](double value) { return std::abs(value) <= kMost && value == std::floor(value); });
+                     [](double value) { return std::abs(value) <= kMax && value == std::floor(value); });
 }
 
 }  // namespace
@@ -51,8 +51,8 @@ void requireShape(const pybind11::array& array, const std::vector<Axis>& shape, 
   const std::vector<pybind11::ssize_t> found(array.shape(), array.shape() + array.ndim());
   const auto fits = [](pybind11::ssize_t size, const Axis& axis) { return !axis.length || size == *axis.length; };
   if (std::ranges::equal(found, shape, fits)) return;
-  throw InvalidArgument(std::string(what) + ": expected the shape " + shapeInWords(shape) + ", found " +
-                        shapeInWords(std::vector<Axis>(found.begin(), found.end())) + advice);
+  throw InvalidArgument(std::string(what) + ": expected the shape " + shapeText(shape) + ", found " +
+                        shapeText(std::vector<Axis>(found.begin(), found.end())) + advice);
 }
 
 }  // namespace hexoderm::python

@@ -24,7 +24,7 @@ inline Calibration calibrationOf(std::shared_ptr<const Reconstruction> result) {
 /// A cell model by itself, or as a built-in name or a file.
 using ModelOrName = std::variant<CellModel, std::string, std::filesystem::path>;
 /// Of the argument cell_model. Throws TypeError naming it.
-CellModel modelFrom(const Given<ModelOrName>& cell_model);
+CellModel modelFrom(const Argument<ModelOrName>& cell_model);
 
 /// Each adds its part to the module.
 using Bind = void(pybind11::module_& module);

@@ -50,7 +50,7 @@ py::dict optionsOf(const Reconstruction& self) {
 
 /// The pose that would help most next; none without a pose so far, for the first may be any.
 std::optional<PoseAdvice> adviceOf(const Reconstruction& self) {
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   const std::vector<Eigen::Vector3d> seen_o = directionsSeen(self);
   return seen_o.empty() ? std::nullopt : std::optional(adviseNextPose(*self.model, seen_o));
 }
@@ -61,9 +61,9 @@ std::vector<Comparison> compareToSession(const Reconstruction& self, const Sessi
 }
 
 /// Named after what the file holds, as the core tells it apart.
-std::variant<Session, Calibration> read(const std::filesystem::path& path, const Given<ModelOrName>& cell_model) {
+std::variant<Session, Calibration> read(const std::filesystem::path& path, const Argument<ModelOrName>& cell_model) {
   const CellModel model = modelFrom(cell_model);
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   OpenedFile opened = openFile(path, model);
   if (auto* session = std::get_if<Session>(&opened)) return std::move(*session);
   return calibrationOf(std::get<std::shared_ptr<const Reconstruction>>(opened));
@@ -104,15 +104,15 @@ void bindCalibration(py::module_& module) {
           [](const std::string& text, const std::string& file) {
             return calibrationOf(parseCalibrationJson(text, file));
           },
-          py::arg("text"), py::arg("file") = "text", py::call_guard<Unlocked>(),
+          py::arg("text"), py::arg("file") = "text", py::call_guard<GilRelease>(),
           "Reads the text of a *.calibration.json; errors name `file`.")
       .def(
-          "to_json", [](const Reconstruction& self) { return calibrationToJson(self); }, py::call_guard<Unlocked>(),
+          "to_json", [](const Reconstruction& self) { return calibrationToJson(self); }, py::call_guard<GilRelease>(),
           "The text of a *.calibration.json.")
       .def(
           "write",
           [](const Reconstruction& self, const std::filesystem::path& path) { writeCalibrationJson(self, path); },
-          py::arg("path"), py::call_guard<Unlocked>(),
+          py::arg("path"), py::call_guard<GilRelease>(),
           "Writes a *.calibration.json, which replaces what is there. Either whole or not at all.")
       .def_property_readonly("patches", &patchesOf, "In the order of their smallest cells.")
       .def("patch", &patchOf, py::arg("cell"), "The patch that holds a cell.")
@@ -125,7 +125,7 @@ void bindCalibration(py::module_& module) {
           "advice",
           [](const Reconstruction& self) {
             const auto advice = adviceOf(self);
-            return advice ? adviceInWords(*advice, self).english() : std::string();
+            return advice ? adviceText(*advice, self).english() : std::string();
           },
           "The pose that would help most next, in words; empty before the first, which may be any.\n"
           "verdict.remedy says whether another one is needed.")
@@ -149,15 +149,15 @@ void bindCalibration(py::module_& module) {
       .def("compare", &compareToSession, py::arg("other"),
            "The session's truth is that of the simulator, or what from_arrays() was given.")
       .def("__repr__", [](const Reconstruction& self) {
-        return "<Calibration: " + sizeInWords(self).english() + ", " + std::string(verdictName(self.assessment.level)) +
+        return "<Calibration: " + sizeText(self).english() + ", " + std::string(verdictName(self.assessment.level)) +
                ">";
       });
 
   module.def(
       "read_calibration",
-      [](const std::filesystem::path& path, const Given<ModelOrName>& cell_model) {
+      [](const std::filesystem::path& path, const Argument<ModelOrName>& cell_model) {
         const CellModel model = modelFrom(cell_model);
-        const Unlocked unlocked;
+        const GilRelease unlocked;
         return calibrationOf(openCalibration(path, model));
       },
       py::arg("path"), py::arg("cell_model") = "hex-bma150",

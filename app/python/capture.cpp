@@ -23,19 +23,19 @@ namespace {
 
 namespace py = pybind11;
 
-using File = Given<std::optional<std::filesystem::path>>;
+using File = Argument<std::optional<std::filesystem::path>>;
 /// Deleted without the interpreter's lock: it waits for the device and the disk.
 struct DeleteWithoutLock {
   void operator()(LiveCapture* capture) const {
-    const Unlocked unlocked;
+    const GilRelease unlocked;
     delete capture;
   }
 };
 using CapturePointer = std::unique_ptr<LiveCapture, DeleteWithoutLock>;
 
-CapturePointer start(const Given<std::string>& source, const Given<std::size_t>& poses, const Given<bool>& automatic,
-                     const File& output, const Given<bool>& keep_raw, const File& record,
-                     const Given<double>& timeout) {
+CapturePointer start(const Argument<std::string>& source, const Argument<std::size_t>& poses,
+                     const Argument<bool>& automatic, const File& output, const Argument<bool>& keep_raw,
+                     const File& record, const Argument<double>& timeout) {
   LiveCaptureOptions options;
   options.source = source.as("source");
   options.poses = poses.as("poses");
@@ -49,7 +49,7 @@ CapturePointer start(const Given<std::string>& source, const Given<std::size_t>&
   if (!options.file.empty() && !options.file.string().ends_with(".hexo")) {
     throw InvalidArgument("output: expected a name that ends in .hexo, found \"" + options.file.string() + "\"");
   }
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   return CapturePointer(std::make_unique<LiveCapture>(std::move(options)).release());
 }
 
@@ -62,7 +62,7 @@ SessionPose next(LiveCapture& self) {
 std::vector<std::string> remarksOn(const PoseKept& kept) {
   const CapturedPose& captured = kept.captured;
   std::vector<std::string> remarks;
-  if (!captured.silent_cells.empty()) remarks.push_back("silent " + listInWords(captured.silent_cells));
+  if (!captured.silent_cells.empty()) remarks.push_back("silent " + listText(captured.silent_cells));
   if (captured.repeats) {
     remarks.push_back("it repeats pose " + toString(*captured.repeats) + " (" +
                       formatFixed(toDegrees(captured.repeat_angle_rad), 1) + "°)");
@@ -73,7 +73,7 @@ std::vector<std::string> remarksOn(const PoseKept& kept) {
 }
 
 void close(LiveCapture& self) {
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   self.close();
 }
 
@@ -92,7 +92,7 @@ void bindCapture(py::module_& module) {
            py::arg("timeout") = LiveCaptureOptions().timeout_s,
            ("Connects to a skin; the options are those of `hexoderm-cli capture`.\n\n"
             "source: " +
-            sourceKindsInWords() +
+            sourceKindsText() +
             ".\n"
             "poses: end after so many; 0: at the stream's end, with auto when they are good.\n"
             "auto: the device turns itself, to where each pose helps most.\n"
@@ -106,7 +106,7 @@ void bindCapture(py::module_& module) {
       .def("__enter__", [](py::object self) { return self; })
       .def("__exit__", [](LiveCapture& self, const py::args& /*error*/) { close(self); })
       .def("close", &close, "Ends the capture and waits until all poses are on disk.")
-      .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<Unlocked>(),
+      .def("turn_to_next_pose", &LiveCapture::turnToNextPose, py::call_guard<GilRelease>(),
            "Asks a device that can to turn to the pose that would help most. It is the call that waits for the next\n"
            "pose that asks it, in another thread or afterwards. InvalidArgument if it can't turn, or no skin\n"
            "described itself yet.")

@@ -17,7 +17,7 @@ py::dict portsOf(const CellModel& model) {
 
 }  // namespace
 
-CellModel modelFrom(const Given<ModelOrName>& cell_model) {
+CellModel modelFrom(const Argument<ModelOrName>& cell_model) {
   const char* const expected =
       "a CellModel, a built-in name or the path of a JSON file (CellModel.from_json() reads JSON text)";
   const ModelOrName model = cell_model.as("cell_model", expected);

@@ -96,10 +96,10 @@ Exported exportTo(const Reconstruction& self, const std::variant<std::string, st
                           path.string() + "\"");
   }
 
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   Exported exported;
   for (const ExportFormat format : formats) {
-    addOnce(exported.remarks, leftOutInWords(patchesLeftOut(self, format, options)).english());
+    addOnce(exported.remarks, leftOutText(patchesLeftOut(self, format, options)).english());
   }
   for (const ExportFormat format : formats) {
     addOnce(exported.remarks, exportFormatDescription(format).not_carried.english());
@@ -109,13 +109,13 @@ Exported exportTo(const Reconstruction& self, const std::variant<std::string, st
   return exported;
 }
 
-std::map<std::string, Message> formatsInWords() {
+std::map<std::string, Message> formatsText() {
   std::map<std::string, Message> formats;
   for (const ExportFormatDescription& format : exportFormats()) formats.emplace(format.name, format.summary);
   return formats;
 }
 
-std::map<std::string, Message> optionsInWords() {
+std::map<std::string, Message> optionsText() {
   std::map<std::string, Message> options;
   for (const ExportOptionDescription& option : exportOptions()) options.emplace(inPython(option.name), option.help);
   return options;
@@ -157,8 +157,8 @@ void bindExports(py::module_& module) {
       "placements: where patches are on links of a robot; without any those that the calibration holds.\n"
       "in_link: coordinates in the frame of this link.\n"
       "Other options are those of export_options().");
-  module.def("export_formats", &formatsInWords, "What Calibration.export() can write: names and a line about each.");
-  module.def("export_options", &optionsInWords, "Options of single formats: names and a line about each.");
+  module.def("export_formats", &formatsText, "What Calibration.export() can write: names and a line about each.");
+  module.def("export_options", &optionsText, "Options of single formats: names and a line about each.");
 }
 
 }  // namespace hexoderm::python

@@ -1,6 +1,6 @@
 #include "app/python/given.h"
 
-#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ Signature signatureOf(const py::detail::function_record& record, const char* nam
   for (const auto& [key, value] : named) {
     const std::string name = py::str(key);
     if (std::ranges::find(signature.names, name) != signature.names.end()) continue;
-    const std::optional<std::string> meant = nearMatch(name, signature.names);
+    const std::optional<std::string> meant = spellingSuggestion(name, signature.names);
     throw py::type_error(call + " has no argument " + name +
                          (meant ? "; did you mean " + *meant + "?" : "; it has " + inARow(signature.names)));
   }
@@ -70,15 +70,15 @@ Signature signatureOf(const py::detail::function_record& record, const char* nam
 
 }  // namespace
 
-std::string foundInWords(py::handle object) {
-  constexpr std::size_t kMost = 40;
+std::string foundText(py::handle object) {
+  constexpr std::size_t kMax = 40;
   const std::string type = Py_TYPE(object.ptr())->tp_name;
   const std::string text = py::repr(object);
-  return text.size() > kMost || text.find('\n') != std::string::npos ? type : type + ": " + text;
+  return text.size() > kMax || text.find('\n') != std::string::npos ? type : type + ": " + text;
 }
 
 void failFor(const char* name, const std::string& expected, py::handle found) {
-  throw py::type_error(std::string(name) + ": expected " + expected + ", found " + foundInWords(found));
+  throw py::type_error(std::string(name) + ": expected " + expected + ", found " + foundText(found));
 }
 
 void explainMisfits(py::handle scope, const char* name) {

@@ -9,7 +9,7 @@
 namespace hexoderm::python {
 
 /// "int: 7", for errors.
-std::string foundInWords(pybind11::handle object);
+std::string foundText(pybind11::handle object);
 [[noreturn]] void failFor(const char* name, const std::string& expected, pybind11::handle found);
 
 /// What errors expect where a T is needed.
@@ -25,9 +25,9 @@ std::string expectedOf() {
 /// An argument that the function itself converts, so that an error has its name: what pybind11 says of one that does
 /// not fit names none. help() shows a T.
 template <class T>
-class Given {
+class Argument {
  public:
-  explicit Given(pybind11::object object) : object_(std::move(object)) {}
+  explicit Argument(pybind11::object object) : object_(std::move(object)) {}
   /// Throws TypeError naming the argument.
   [[nodiscard]] decltype(auto) as(const char* name, const std::string& expected = expectedOf<T>()) const {
     constexpr bool kIsOfPython =
@@ -56,16 +56,16 @@ void explainMisfits(pybind11::handle scope, const char* name);
 namespace pybind11::detail {
 
 template <class T>
-struct type_caster<hexoderm::python::Given<T>> {
+struct type_caster<hexoderm::python::Argument<T>> {
   static constexpr auto name = make_caster<T>::name;
   template <class>
-  using cast_op_type = hexoderm::python::Given<T>;
+  using cast_op_type = hexoderm::python::Argument<T>;
 
   bool load(handle source, bool /*convert*/) {
     object_ = reinterpret_borrow<object>(source);
     return true;
   }
-  explicit operator hexoderm::python::Given<T>() { return hexoderm::python::Given<T>(object_); }
+  explicit operator hexoderm::python::Argument<T>() { return hexoderm::python::Argument<T>(object_); }
 
  private:
   object object_;

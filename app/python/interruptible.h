@@ -22,14 +22,14 @@ auto interruptible(const Work& work) {
   bool is_interrupted = false;
   for (bool is_done = false; !is_done;) {
     {
-      const Unlocked unlocked;
+      const GilRelease unlocked;
       is_done = result.wait_for(kLookEvery) == std::future_status::ready;
     }
     if (is_done || is_interrupted || PyErr_CheckSignals() == 0) continue;
     is_interrupted = true;
     stop.request_stop();
     const py::error_scope kept;  // what was raised, while the work ends
-    const Unlocked unlocked;
+    const GilRelease unlocked;
     result.wait();
   }
   if (is_interrupted) throw py::error_already_set();

@@ -14,7 +14,7 @@ Doubles covariance(const PatchReconstruction& self, std::uint32_t a, std::uint32
   const auto& known = self.covariance;
   if (!known) throw InvalidArgument("the covariance of two cells is known of a fresh result of the global solver only");
   const Matrix6d values = [&] {
-    const Unlocked unlocked;
+    const GilRelease unlocked;
     return ((*known).*get)(CellId(a), CellId(b));
   }();
   return arrayOf(values);

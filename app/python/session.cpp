@@ -22,7 +22,7 @@ namespace py = pybind11;
 template <class Work>
 auto withoutLock(const Session& session, const Work& work) {
   const Session copy = session;  // poses are shared
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   return work(copy);
 }
 
@@ -127,7 +127,7 @@ void bindSession(py::module_& module) {
   session
       .def_static(
           "from_json", [](const std::string& text, const std::string& file) { return parseSessionJson(text, file); },
-          py::arg("text"), py::arg("file") = "text", py::call_guard<Unlocked>(),
+          py::arg("text"), py::arg("file") = "text", py::call_guard<GilRelease>(),
           "Reads the text of a *.session.json; errors name `file`.")
       .def(
           "to_json",
@@ -164,7 +164,7 @@ void bindSession(py::module_& module) {
 
   module.def(
       "read_session", [](const std::filesystem::path& path) { return openSession(path); }, py::arg("path"),
-      py::call_guard<Unlocked>(), "Reads a session: *.session.json or *.hexo, told apart by their content.");
+      py::call_guard<GilRelease>(), "Reads a session: *.session.json or *.hexo, told apart by their content.");
 }
 
 }  // namespace hexoderm::python

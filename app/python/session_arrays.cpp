@@ -62,11 +62,13 @@ std::optional<Numbers> wholeNumbersIfGiven(const std::optional<py::object>& give
 
 constexpr const char* kNumbers = "an array of numbers";
 
-Session fromArrays(const Given<Doubles>& readings_given, const py::object& links_given,
-                   const std::optional<py::object>& cells_given, const Given<std::optional<Doubles>>& covariances_given,
-                   const std::optional<py::object>& counts_given, const Given<std::vector<std::string>>& labels_given,
-                   const Given<std::vector<std::string>>& parts_given, const Given<ModelOrName>& cell_model,
-                   const Given<std::string>& description, const std::optional<py::object>& truth) {
+Session fromArrays(const Argument<Doubles>& readings_given, const py::object& links_given,
+                   const std::optional<py::object>& cells_given,
+                   const Argument<std::optional<Doubles>>& covariances_given,
+                   const std::optional<py::object>& counts_given,
+                   const Argument<std::vector<std::string>>& labels_given,
+                   const Argument<std::vector<std::string>>& parts_given, const Argument<ModelOrName>& cell_model,
+                   const Argument<std::string>& description, const std::optional<py::object>& truth) {
   const Doubles readings = readings_given.as("readings", kNumbers);
   const std::optional<Doubles> covariances = covariances_given.as("covariances", kNumbers);
   const std::vector<std::string> labels = labels_given.as("labels", "a list of strings");

@@ -4,7 +4,7 @@
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/sim/fault_names.h"
-#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/robot_text.h"
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/sim/simulated_skin.h"
 
@@ -20,15 +20,15 @@ void requireSamples(std::size_t samples) {
   if (samples == 0) throw InvalidArgument("samples: expected at least 1, found 0");
 }
 
-using Text = Given<std::string>;
-using Texts = Given<std::vector<std::string>>;
-using Count = Given<std::size_t>;
+using Text = Argument<std::string>;
+using Texts = Argument<std::vector<std::string>>;
+using Count = Argument<std::size_t>;
 constexpr const char* kTexts = "a list of strings";
 
 /// What simulations of a skin and of a robot have in common.
-RobotInWords wordsFrom(const Text& patch, const Text& surface, const Given<std::uint64_t>& seed, const Text& link_law,
-                       const Given<bool>& ideal) {
-  RobotInWords words;
+RobotText wordsFrom(const Text& patch, const Text& surface, const Argument<std::uint64_t>& seed, const Text& link_law,
+                    const Argument<bool>& ideal) {
+  RobotText words;
   words.patch = patch.as("patch");
   words.surface = surface.as("surface");
   words.seed = seed.as("seed");
@@ -38,8 +38,8 @@ RobotInWords wordsFrom(const Text& patch, const Text& surface, const Given<std::
 }
 
 Session simulate(const Text& patch, const Text& surface, const Count& poses, const Count& samples,
-                 const Given<std::uint64_t>& seed, const Text& link_law, const Given<ModelOrName>& cell_model,
-                 const Given<std::optional<double>>& offset_sigma_g, const Text& motion, const Given<bool>& ideal,
+                 const Argument<std::uint64_t>& seed, const Text& link_law, const Argument<ModelOrName>& cell_model,
+                 const Argument<std::optional<double>>& offset_sigma_g, const Text& motion, const Argument<bool>& ideal,
                  const Texts& faults) {
   const std::size_t pose_count = poses.as("poses");
   const std::size_t sample_count = samples.as("samples");
@@ -51,25 +51,25 @@ Session simulate(const Text& patch, const Text& surface, const Count& poses, con
   for (const std::string& fault : faults.as("faults", kTexts)) addFault(fault, "faults", options);
   // Between the last pose and the one before it.
   options.reglued_before = pose_count == 0 ? 0 : pose_count - 1;
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   SimulatedSkin skin(std::move(model), options);
   return simulateSession(skin, pose_count, sample_count);
 }
 
 Session simulateRobot(const Text& robot, const Count& poses, const Count& samples, const Texts& mounts,
                       const Texts& packages, const Text& base, const Text& patch, const Text& surface,
-                      const Given<std::uint64_t>& seed, const Text& link_law, const Given<ModelOrName>& cell_model,
-                      const Given<bool>& ideal) {
+                      const Argument<std::uint64_t>& seed, const Text& link_law,
+                      const Argument<ModelOrName>& cell_model, const Argument<bool>& ideal) {
   const std::size_t pose_count = poses.as("poses");
   const std::size_t sample_count = samples.as("samples");
   requireSamples(sample_count);
-  RobotInWords words = wordsFrom(patch, surface, seed, link_law, ideal);
+  RobotText words = wordsFrom(patch, surface, seed, link_law, ideal);
   words.robot = robot.as("robot");
   words.packages = packages.as("packages", kTexts);
   words.mounts = mounts.as("mounts", kTexts);
   words.base = base.as("base");
   CellModel model = modelFrom(cell_model);
-  const Unlocked unlocked;
+  const GilRelease unlocked;
   SimulatedRobot simulated = makeRobot(std::move(model), words);
   return simulateRobotSession(simulated, pose_count, sample_count).session;
 }

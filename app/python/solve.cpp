@@ -10,10 +10,11 @@ namespace {
 
 namespace py = pybind11;
 
-Calibration solve(const Given<Session>& session, const Given<std::string>& solver, const Given<std::string>& centre,
-                  const Given<std::string>& support_axes, const Given<std::string>& weights,
-                  const Given<std::string>& gap_model, const Given<std::vector<std::uint32_t>>& without,
-                  const Given<double>& class_threshold, const Given<Reconstruction>& earlier) {
+Calibration solve(const Argument<Session>& session, const Argument<std::string>& solver,
+                  const Argument<std::string>& centre, const Argument<std::string>& support_axes,
+                  const Argument<std::string>& weights, const Argument<std::string>& gap_model,
+                  const Argument<std::vector<std::uint32_t>>& without, const Argument<double>& class_threshold,
+                  const Argument<Reconstruction>& earlier) {
   const Session& measured = session.as("session", "a Session, as read_session() reads it from a file");
   SolverOptions options;
   options.solver = solverFromName(solver.as("solver"));

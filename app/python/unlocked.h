@@ -11,18 +11,18 @@ namespace hexoderm::python {
 /// here: a daemon thread that takes the lock back while the interpreter ends is ended by Python in the midst of a
 /// destructor, and with it the whole program. This one lets such a thread sleep for the instant that the program has
 /// left, which is what Python itself does from version 3.14 on.
-class Unlocked {
+class GilRelease {
  public:
-  Unlocked() : thread_(PyEval_SaveThread()) {}
-  ~Unlocked() {
+  GilRelease() : thread_(PyEval_SaveThread()) {}
+  ~GilRelease() {
     try {
       PyEval_RestoreThread(thread_);
     } catch (const abi::__forced_unwind&) {
       while (true) pause();
     }
   }
-  Unlocked(const Unlocked&) = delete;
-  Unlocked& operator=(const Unlocked&) = delete;
+  GilRelease(const GilRelease&) = delete;
+  GilRelease& operator=(const GilRelease&) = delete;
 
  private:
   PyThreadState* thread_;

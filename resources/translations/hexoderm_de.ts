@@ -989,7 +989,7 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
 </context>
 <context>
-    <name>hexoderm::EarlierPanel</name>
+    <name>hexoderm::RecentSessions</name>
     <message>
         <source>Recent</source>
         <translation>Zuletzt</translation>

@@ -17,7 +17,7 @@ namespace hexoderm {
 namespace {
 
 /// Eigen's factor takes minutes beyond that.
-constexpr std::size_t kMostCellsForEigen = 30'000;
+constexpr std::size_t kMaxCellsForEigen = 30'000;
 
 /// Times of a library for the same; nothing where it has no counterpart or is not there.
 struct Library {
@@ -57,7 +57,7 @@ void compareFactors(std::int64_t rows, std::int64_t columns) {
   const SheetMatrix matrix = SheetMatrix::of(sheet);
   const Eigen::MatrixXd right = Eigen::MatrixXd::Ones(matrix.lower.rows(), 6);
   Library eigen;
-  if (matrix.diagonal.size() <= kMostCellsForEigen) {
+  if (matrix.diagonal.size() <= kMaxCellsForEigen) {
     eigen = timesOf<Eigen::SimplicialLLT<SheetMatrix::Sparse, Eigen::Lower, Eigen::AMDOrdering<int>>>(matrix, right);
   }
   Library cholmod;
@@ -80,7 +80,7 @@ void compareFactors(std::int64_t rows, std::int64_t columns) {
   };
   print("solve, 6 columns", solve(fast), solve(portable), eigen.solve, cholmod.solve);
   const auto solveBorder = [&](const BlockCholesky& cholesky, const FrontKernels& kernels) {
-    RightSides solved;
+    RightHandSides solved;
     Eigen::MatrixXd gram;
     return least_ms(
         [&] {

@@ -34,8 +34,8 @@ struct SheetProblem {
     links.estimateEdges();
     const PatchSolver tree(links, linkWeights(links), 0);
     for (const TreePlacement& placed : tree.treePlacements()) placements.push_back(placed.T_o_u);
-    const JointRefinement joint(links.model(), links.graph(), links.table(), options, tree.cells(), tree.origin(),
-                                placements);
+    const GlobalRefinement joint(links.model(), links.graph(), links.table(), options, tree.cells(), tree.origin(),
+                                 placements);
     model = links.model();
     problem = joint.problem();
     problem.model = &model;
@@ -47,8 +47,8 @@ struct SheetProblem {
   SimulatedSkin skin;
   CellModel model;
   std::vector<SE3> placements;
-  JointProblem problem;
-  JointState state;
+  GlobalProblem problem;
+  GlobalState state;
 };
 
 struct SheetMatrix {
@@ -71,7 +71,7 @@ struct SheetMatrix {
     matrix.diagonal = equations.cells;
     matrix.blocks = equations.links;
     matrix.border = equations.border_cells;
-    for (const JointLink& link : sheet.problem.links) matrix.couples.push_back({link.c, link.n});
+    for (const GlobalLink& link : sheet.problem.links) matrix.couples.push_back({link.c, link.n});
     matrix.lower = matrix.lowerTriangle();
     return matrix;
   }

@@ -37,7 +37,7 @@ namespace {
 
 constexpr std::size_t kPoses = 3;
 /// Ceres takes minutes beyond that.
-constexpr std::size_t kMostCellsForCeres = 10'000;
+constexpr std::size_t kMaxCellsForCeres = 10'000;
 
 Session sheet(std::size_t cells, bool hand_held) {
   const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(cells)));
@@ -72,8 +72,8 @@ std::shared_ptr<const Reconstruction> placeOnly(const SessionSnapshot& snapshot,
 
 #ifdef HEXODERM_HAS_CERES
 /// Where the global solver starts: the tree's placements, and the forces that the readings mean there.
-JointState stateOfTree(const SessionSnapshot& snapshot, const JointProblem& problem) {
-  JointState state;
+GlobalState stateOfTree(const SessionSnapshot& snapshot, const GlobalProblem& problem) {
+  GlobalState state;
   const auto tree = placeOnly(snapshot, {}, SolveStage::Links);
   for (const CellPlacement& cell : tree->patches.front().cells) state.cells.push_back(cell.T_o_u);
   state.force_o.assign(problem.poses, Eigen::Vector3d::Zero());
@@ -95,9 +95,9 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   const SolverOptions options;
   const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, options);
   const PatchSolver& patch = solved->patches().front();
-  const JointProblem& problem = patch.joint()->problem();
-  const JointState start = stateOfTree(snapshot, problem);
-  JointSolverOptions without_covariance;
+  const GlobalProblem& problem = patch.joint()->problem();
+  const GlobalState start = stateOfTree(snapshot, problem);
+  GlobalSolverOptions without_covariance;
   without_covariance.covariance = false;
   double cost = 0;
   const double ms = least_ms([&] { cost = solveJointly(problem, start, without_covariance).cost; });
@@ -165,7 +165,7 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
   }
   compareWithBoost(*snapshot, tree, unit_ms);
 #ifdef HEXODERM_HAS_CERES
-  if (cells <= kMostCellsForCeres) compareWithCeres(*snapshot, unit_ms);
+  if (cells <= kMaxCellsForCeres) compareWithCeres(*snapshot, unit_ms);
 #endif
 }
 

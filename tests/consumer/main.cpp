@@ -53,8 +53,7 @@ int main() {
       limit_m = 3 * std::sqrt(cov_t_r.topLeftCorner<3, 3>().trace());
     }
     std::printf("%s by the %s solver: off by %.1e rad, %.1e m; at most %.1e rad, %.1e m\n",
-                sizeInWords(*result).english().c_str(), result->solver.c_str(), angle_rad, distance_m, limit_rad,
-                limit_m);
+                sizeText(*result).english().c_str(), result->solver.c_str(), angle_rad, distance_m, limit_rad, limit_m);
     if (!(angle_rad <= limit_rad && distance_m <= limit_m && limit_rad < 0.5 && limit_m < 0.005)) return 1;
   }
   return 0;

@@ -29,7 +29,7 @@ using fuzz::ByteView;
 using fuzz::FuzzInput;
 
 enum Flag : unsigned { kHasSamples = 0x10, kHasRaw = 0x20, kIsMisnumbered = 0x40, kHasOddDigest = 0x80 };
-constexpr std::size_t kMostEntries = 200;
+constexpr std::size_t kMaxEntries = 200;
 
 const fuzz::ScratchFile& scratch() {
   static const fuzz::ScratchFile file("fuzz.hexo");
@@ -111,7 +111,7 @@ void writeJournal(FuzzInput& input) {
   Digest previous{};
   std::int64_t number = 0;
   const Transaction transaction(database);
-  for (std::size_t count = 0; count < kMostEntries && !input.atEnd(); ++count) {
+  for (std::size_t count = 0; count < kMaxEntries && !input.atEnd(); ++count) {
     auto [entry, raw] = readEntry(input);
     if (entry.entry == 0) entry.entry = ++number;
     entry.at_ms = entry.entry;

@@ -21,7 +21,7 @@ void requireSoundMesh(const TriangleMesh& mesh, std::size_t bytes) {
   }
   for (std::size_t k = 0; k < is_used.size(); ++k) {
     fuzz::require(is_used[k], "points of triangles only");
-    fuzz::require(isWithin(mesh.points[k], kMostLength_m), "points within their limit");
+    fuzz::require(isWithin(mesh.points[k], kMaxLength_m), "points within their limit");
   }
 }
 

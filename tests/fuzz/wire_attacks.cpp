@@ -31,9 +31,9 @@ using skinwire::Framing;
 enum Head : std::uint8_t { kLength = 0, kCobs = 1, kLines = 2, kDetected = 3, kGoodBodies = 8 };
 
 #if defined(__SANITIZE_ADDRESS__)
-constexpr long kMostMemory_KiB = 4L << 20U;  // what is freed is kept for a while, to be watched
+constexpr long kMaxMemory_KiB = 4L << 20U;  // what is freed is kept for a while, to be watched
 #else
-constexpr long kMostMemory_KiB = 1L << 20U;
+constexpr long kMaxMemory_KiB = 1L << 20U;
 #endif
 
 class Attacker : public skinwire::RandomMessages {
@@ -263,7 +263,7 @@ int main() {
 
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
-  std::cout << "at most " << usage.ru_maxrss / 1024 << " MiB of memory, the limit is " << kMostMemory_KiB / 1024
+  std::cout << "at most " << usage.ru_maxrss / 1024 << " MiB of memory, the limit is " << kMaxMemory_KiB / 1024
             << " MiB\n";
-  return usage.ru_maxrss <= kMostMemory_KiB ? EXIT_SUCCESS : EXIT_FAILURE;
+  return usage.ru_maxrss <= kMaxMemory_KiB ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -19,7 +19,7 @@ namespace hexoderm {
 namespace {
 
 constexpr int kPatience_ms = 120000;
-constexpr std::size_t kMostPoses = 8;
+constexpr std::size_t kMaxPoses = 8;
 
 bool waitUntil(const std::function<bool()>& condition) {
   QElapsedTimer timer;
@@ -187,7 +187,7 @@ QStringList ScreenshotTour::run(QSize size) {
   if (!waitUntil([&] { return poses() >= 2; })) return problems_ << QStringLiteral("no second pose was taken");
   stop(window_, QStringLiteral("second-pose"));
   const bool is_done =
-      waitUntil([&] { return poses() >= kMostPoses || (poses() > 1 && !controller.liveSession().wantsMorePoses()); });
+      waitUntil([&] { return poses() >= kMaxPoses || (poses() > 1 && !controller.liveSession().wantsMorePoses()); });
   controller.liveSession().setRobot(false);
   controller.liveSession().setAutomatic(false);
   if (!is_done || !waitUntilIdle()) return problems_ << QStringLiteral("the robot did not take enough poses");

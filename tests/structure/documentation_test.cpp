@@ -3,7 +3,7 @@
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/finding.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/device/skinwire/messages.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/placements_json.h"
@@ -39,7 +39,7 @@ TEST(Documentation, FindingsTableSaysWhatTheCodeSays) {
   EXPECT_THAT(fileOfTheProject("core/hexoderm/base/README.md"), testing::HasSubstr("\n\n" + table + "\n"));
 }
 
-TEST(Documentation, OffencesTableHasEveryKindInTheOrderOfTheCode) {
+TEST(Documentation, ProtocolViolationsTableHasEveryKindInTheOrderOfTheCode) {
   const std::string page = fileOfTheProject("core/hexoderm/device/skinwire/README.md");
   const std::size_t begin = page.find("## Offences");
   std::vector<std::string> found;
@@ -47,7 +47,7 @@ TEST(Documentation, OffencesTableHasEveryKindInTheOrderOfTheCode) {
     if (line.starts_with("| `")) found.push_back(line.substr(3, line.find("` |") - 3));
   }
   std::vector<std::string> expected;
-  for (const OffenceKind kind : offenceKinds()) expected.emplace_back(offenceName(kind));
+  for (const ProtocolViolationKind kind : offenceKinds()) expected.emplace_back(offenceName(kind));
   EXPECT_EQ(found, expected);
 }
 

@@ -15,7 +15,7 @@ namespace hexoderm {
 inline void PrintTo(Solver solver, std::ostream* out) { *out << solverName(solver); }
 
 inline void PrintTo(const Reconstruction& reconstruction, std::ostream* out) {
-  *out << "a reconstruction of " << sizeInWords(reconstruction);
+  *out << "a reconstruction of " << sizeText(reconstruction);
 }
 
 MATCHER_P2(RotationNear, expected, tolerance_rad, "") {
@@ -99,7 +99,7 @@ MATCHER_P3(ReconstructionNear, expected, tolerance_rad, tolerance_m, "") {
   const Reconstruction& a = arg;
   const Reconstruction& b = expected;
   if (a.cellCount() != b.cellCount() || a.patches.size() != b.patches.size()) {
-    *result_listener << "sizes differ: " << sizeInWords(a) << " and " << sizeInWords(b);
+    *result_listener << "sizes differ: " << sizeText(a) << " and " << sizeText(b);
     return false;
   }
   for (const PatchReconstruction& patch : b.patches) {

@@ -155,7 +155,7 @@ QString CapturePanel::instruction() const {
   if (captured_) return tr("Pose %1 captured.").arg(captured_->value());
   if (!next_) return {};
   const bool is_there = next_->isWanted() && next_->turn && next_->turn->angle_rad < kThere_rad;
-  return is_there ? turnInWords(*next_) : nextPoseInWords(*next_);
+  return is_there ? turnText(*next_) : nextPoseText(*next_);
 }
 
 void CapturePanel::tellInstruction() {
@@ -189,22 +189,22 @@ void CapturePanel::refresh() {
     const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
                             next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
     const HoldWords words =
-        on_the_way ? HoldWords{tr("Keep turning"), tr("%1 to go").arg(turnAngleInWords(*next_))} : holdInWords(hold_);
+        on_the_way ? HoldWords{tr("Keep turning"), tr("%1 to go").arg(turnAngleText(*next_))} : holdText(hold_);
     ring_->setContent({words.word, words.detail, on_the_way ? 0 : hold_.progress, false});
   }
-  showIfAny(wait_, waitInWords(hold_));
-  showIfAny(odd_, oddCellsInWords(hold_));
+  showIfAny(wait_, waitText(hold_));
+  showIfAny(odd_, oddCellsText(hold_));
 }
 
 void CapturePanel::refreshAdvice() {
   tellInstruction();
   const bool is_known = source_ && next_;
   showIfAny(what_, !source_ ? tr("No skin is connected.")
-                   : next_  ? nextPoseInWords(*next_)
+                   : next_  ? nextPoseText(*next_)
                             : tr("Working out which pose helps most…"));
-  showIfAny(turn_, is_known ? turnInWords(*next_) : QString());
-  showIfAny(why_, is_known ? gainInWords(*next_) : QString());
-  showIfAny(sigma_, is_known ? unbroken(sigmaInWords(*next_)) : QString());
+  showIfAny(turn_, is_known ? turnText(*next_) : QString());
+  showIfAny(why_, is_known ? gainText(*next_) : QString());
+  showIfAny(sigma_, is_known ? unbroken(sigmaText(*next_)) : QString());
 }
 
 void CapturePanel::resizeEvent(QResizeEvent* event) {

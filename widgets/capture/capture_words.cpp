@@ -20,14 +20,14 @@ struct CaptureWords {
 
 QString name(CellId cell) { return QString::number(cell.value()); }
 QString degrees(double angle_rad, int decimals) {
-  return CaptureWords::tr("%1°").arg(figureInWords(toDegrees(angle_rad), decimals));
+  return CaptureWords::tr("%1°").arg(figureText(toDegrees(angle_rad), decimals));
 }
-QString milliG(double value_g) { return CaptureWords::tr("%1 mg").arg(figureInWords(1000 * value_g, 0)); }
+QString milliG(double value_g) { return CaptureWords::tr("%1 mg").arg(figureText(1000 * value_g, 0)); }
 QString degreesPerSecond(double rate_rad_s) {
-  return CaptureWords::tr("%1 °/s").arg(figureInWords(toDegrees(rate_rad_s), 1));
+  return CaptureWords::tr("%1 °/s").arg(figureText(toDegrees(rate_rad_s), 1));
 }
 
-QString kindInWords(OddCellKind kind) {
+QString kindText(OddCellKind kind) {
   return ofEnum(kind, {CaptureWords::tr("reads no gravity"), CaptureWords::tr("stuck"), CaptureWords::tr("noisy"),
                        CaptureWords::tr("turns by itself"), CaptureWords::tr("silent")});
 }
@@ -39,7 +39,7 @@ double roundedTurn_deg(const PartTurn& turn) {
 
 }  // namespace
 
-QString nextPoseInWords(const NextPose& next) {
+QString nextPoseText(const NextPose& next) {
   if (next.gain == PoseGain::First) return CaptureWords::tr("Hold the part still, any way up.");
   if (!next.worthwhile) {
     return next.is_good ? CaptureWords::tr("There are enough poses: the result is good.")
@@ -57,25 +57,25 @@ QString nextPoseInWords(const NextPose& next) {
   return {};
 }
 
-QString turnInWords(const NextPose& next) {
+QString turnText(const NextPose& next) {
   if (!next.isWanted() || !next.turn) return {};
   if (next.turn->angle_rad < kThere_rad) return CaptureWords::tr("It is there: hold it like this.");
   const double rounded = roundedTurn_deg(*next.turn);
   if (rounded >= 180) return CaptureWords::tr("Half a turn around a horizontal axis.");
-  return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(figureInWords(rounded, 0));
+  return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(figureText(rounded, 0));
 }
 
-QString turnAngleInWords(const NextPose& next) {
+QString turnAngleText(const NextPose& next) {
   if (!next.isWanted() || !next.turn || next.turn->angle_rad < kThere_rad) return {};
-  return CaptureWords::tr("%1°").arg(figureInWords(roundedTurn_deg(*next.turn), 0));
+  return CaptureWords::tr("%1°").arg(figureText(roundedTurn_deg(*next.turn), 0));
 }
 
-QString gainInWords(const NextPose& next) {
+QString gainText(const NextPose& next) {
   if (!next.worthwhile) {
-    return next.is_good ? CaptureWords::tr("Why: at the worst cell the error is below %1° and %2 mm.")
-                              .arg(figureInWords(toDegrees(kGoodOrientation_rad), 0),
-                                   figureInWords(kGoodPosition_m / kMillimetre, 0))
-                        : CaptureWords::tr("Why: the error that is left does not come from too few directions.");
+    return next.is_good
+               ? CaptureWords::tr("Why: at the worst cell the error is below %1° and %2 mm.")
+                     .arg(figureText(toDegrees(kGoodOrientation_rad), 0), figureText(kGoodPosition_m / kMillimetre, 0))
+               : CaptureWords::tr("Why: the error that is left does not come from too few directions.");
   }
   switch (next.gain) {
     case PoseGain::First:
@@ -97,7 +97,7 @@ QString gainInWords(const NextPose& next) {
   return {};
 }
 
-QString sigmaInWords(const NextPose& next) {
+QString sigmaText(const NextPose& next) {
   const bool could_be_better = next.gain != PoseGain::First && next.is_good;
   if (!next.isWanted() && !could_be_better) return {};
   // A share, because the verdict states the worst cell's error and this is that of an edge.
@@ -106,23 +106,23 @@ QString sigmaInWords(const NextPose& next) {
   const QString sentence =
       next.isWanted() ? CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
                       : CaptureWords::tr("With another pose the error would fall to about %1 % of what it is now.");
-  return sentence.arg(figureInWords(std::max(1.0, std::round(100 * share)), 0));
+  return sentence.arg(figureText(std::max(1.0, std::round(100 * share)), 0));
 }
 
-QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
+QString missingText(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
   if (!coverage.missing) {
     if (coverage.enabled == 0) return {};
     return coverage.quality == EdgeQuality::Over
                ? CaptureWords::tr("No direction is missing: all three values reach %1.")
-                     .arg(figureInWords(coverage.threshold, 2))
+                     .arg(figureText(coverage.threshold, 2))
                : CaptureWords::tr("The result does not need all three values to reach %1.")
-                     .arg(figureInWords(coverage.threshold, 2));
+                     .arg(figureText(coverage.threshold, 2));
   }
   const MissingDirection& missing = *coverage.missing;
   if (missing.which == 1) return CaptureWords::tr("No pose yet: any direction will do.");
   const bool second = missing.which == 2;
-  const QString value = figureInWords(missing.value, 2);
-  const QString threshold = figureInWords(coverage.threshold, 2);
+  const QString value = figureText(missing.value, 2);
+  const QString threshold = figureText(coverage.threshold, 2);
   if (next_up_o) {
     // If another pose is asked for at the moment, for a better reason, there are no two instructions at a time.
     const bool fills = fillsMissing(coverage, *next_up_o);
@@ -147,20 +147,20 @@ QString missingInWords(const PoseCoverage& coverage, const std::optional<Eigen::
   return sentence.arg(name(missing.facing.cell), value, threshold);
 }
 
-QString longMissingInWords() {
+QString longMissingText() {
   return CaptureWords::tr("No pose yet with cell %1 facing the ceiling or the floor: the second value is %2, needs %3.")
-      .arg(name(CellId(100)), figureInWords(0, 2), figureInWords(0.5, 2));
+      .arg(name(CellId(100)), figureText(0, 2), figureText(0.5, 2));
 }
 
-QString poseCountInWords(const PoseCoverage& coverage) {
-  const QString count = posesInWords(coverage.enabled);
+QString poseCountText(const PoseCoverage& coverage) {
+  const QString count = posesText(coverage.enabled);
   std::size_t disabled = 0;
   for (const SeenDirection& seen : coverage.seen) disabled += seen.enabled ? 0U : 1U;
   return disabled == 0 ? count : CaptureWords::tr("%1, %2 disabled").arg(count).arg(disabled);
 }
 
-QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
-  QStringList parts = {poseCountInWords(coverage)};
+QString coverageText(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {
+  QStringList parts = {poseCountText(coverage)};
   for (const SeenDirection& seen : coverage.seen) {
     const QString text = seen.at.side == Hemisphere::Front ? CaptureWords::tr("pose %1 on the front")
                                                            : CaptureWords::tr("pose %1 on the back");
@@ -168,15 +168,14 @@ QString coverageInWords(const PoseCoverage& coverage, const std::optional<Eigen:
     parts.push_back(seen.enabled ? said : CaptureWords::tr("%1, disabled").arg(said));
   }
   parts.push_back(CaptureWords::tr("values %1, %2 and %3, of which %4 is enough: %5")
-                      .arg(figureInWords(coverage.singular_values.x(), 2),
-                           figureInWords(coverage.singular_values.y(), 2),
-                           figureInWords(coverage.singular_values.z(), 2), figureInWords(coverage.threshold, 2),
+                      .arg(figureText(coverage.singular_values.x(), 2), figureText(coverage.singular_values.y(), 2),
+                           figureText(coverage.singular_values.z(), 2), figureText(coverage.threshold, 2),
                            qualityWord(coverage.quality)));
-  return parts.join(QStringLiteral("; ")) + QStringLiteral(". ") + missingInWords(coverage, next_up_o);
+  return parts.join(QStringLiteral("; ")) + QStringLiteral(". ") + missingText(coverage, next_up_o);
 }
 
-HoldWords holdInWords(const HoldStatus& hold) {
-  const QString percent = CaptureWords::tr("%1 %").arg(figureInWords(std::floor(100 * hold.progress), 0));
+HoldWords holdText(const HoldStatus& hold) {
+  const QString percent = CaptureWords::tr("%1 %").arg(figureText(std::floor(100 * hold.progress), 0));
   if (hold.phase != HoldPhase::Watching) {
     return {hold.forced ? CaptureWords::tr("Capturing…") : CaptureWords::tr("Hold…"), percent};
   }
@@ -198,7 +197,7 @@ HoldWords holdInWords(const HoldStatus& hold) {
   return {};
 }
 
-QString waitInWords(const HoldStatus& hold) {
+QString waitText(const HoldStatus& hold) {
   const Stillness& still = hold.stillness;
   if (hold.phase == HoldPhase::Confirming) return CaptureWords::tr("Looking whether it stayed still…");
   if (hold.phase == HoldPhase::Collecting) {
@@ -210,9 +209,9 @@ QString waitInWords(const HoldStatus& hold) {
       return hold.automatic ? CaptureWords::tr("The part is still")
                             : CaptureWords::tr("The part is still. Automatic capture is off");
     case Blocker::Waiting:
-      return still.cells == 0 ? CaptureWords::tr("Waiting: no cell sends readings")
-                              : CaptureWords::tr("Waiting: %1 s of readings are needed to judge")
-                                    .arg(figureInWords(still.window_s, 1));
+      return still.cells == 0
+                 ? CaptureWords::tr("Waiting: no cell sends readings")
+                 : CaptureWords::tr("Waiting: %1 s of readings are needed to judge").arg(figureText(still.window_s, 1));
     case Blocker::NotMoved:
       if (!hold.automatic) return CaptureWords::tr("The part is still. Automatic capture is off");
       return CaptureWords::tr("Waiting: moved %1 since the last pose, needs %2")
@@ -231,15 +230,15 @@ QString waitInWords(const HoldStatus& hold) {
   return {};
 }
 
-QString oddCellsInWords(const HoldStatus& hold) {
-  constexpr std::size_t kMost = 3;
+QString oddCellsText(const HoldStatus& hold) {
+  constexpr std::size_t kMax = 3;
   const std::vector<OddCell>& odd = hold.stillness.odd_cells;
   if (odd.empty()) return {};
   QStringList cells;
-  for (std::size_t k = 0; k < std::min(kMost, odd.size()); ++k) {
-    cells.push_back(CaptureWords::tr("cell %1 (%2)").arg(name(odd[k].cell), kindInWords(odd[k].kind)));
+  for (std::size_t k = 0; k < std::min(kMax, odd.size()); ++k) {
+    cells.push_back(CaptureWords::tr("cell %1 (%2)").arg(name(odd[k].cell), kindText(odd[k].kind)));
   }
-  if (odd.size() > kMost) cells.push_back(CaptureWords::tr("%1 more").arg(odd.size() - kMost));
+  if (odd.size() > kMax) cells.push_back(CaptureWords::tr("%1 more").arg(odd.size() - kMax));
   return CaptureWords::tr("Not waited for: %1").arg(cells.join(QStringLiteral(", ")));
 }
 

@@ -22,9 +22,9 @@ namespace {
 
 constexpr int kMargin = 12;
 constexpr int kBottom = 8;
-constexpr double kLeastDisc = 56;
+constexpr double kMinDisc = 56;
 constexpr double kNoValue = 0.005;  // written 0.00
-constexpr double kMostDisc = 260;
+constexpr double kMaxDisc = 260;
 constexpr std::array<double, 2> kCircles_deg = {30, 60};
 constexpr int kSignGap = 4;  // between a sign of the legend and its name
 
@@ -84,7 +84,7 @@ struct CoverageView::Parts {
   }
 
   QString words() const {
-    if (!isEmpty()) return missingInWords(coverage, next);
+    if (!isEmpty()) return missingText(coverage, next);
     return awaited.isEmpty() ? empty_hint : awaited;
   }
 
@@ -102,7 +102,7 @@ struct CoverageView::Parts {
   /// With the longest of the usual sentences, whatever is said just now: the panels around this one stay where they
   /// are.
   double mostBelowDiscs(int width) const {
-    const double longer = heightOf(longMissingInWords(), width) - wordsHeight(width);
+    const double longer = heightOf(longMissingText(), width) - wordsHeight(width);
     return belowDiscs(width) + (isEmpty() ? 1.3 * line() : 0) + std::max(0.0, longer);
   }
 
@@ -112,7 +112,7 @@ struct CoverageView::Parts {
     const double top = nowSign() + 1;
     const double high = view->height() - belowDiscs(view->width()) - top - kBottom;
     Layout layout;
-    layout.radius = 0.5 * std::max(kLeastDisc, std::min({across, high, kMostDisc}));
+    layout.radius = 0.5 * std::max(kMinDisc, std::min({across, high, kMaxDisc}));
     const double apart =
         std::max(2 * layout.radius + 2 * nowSign(), std::min(width - 2 * (nowSign() + 1) - 2 * layout.radius,
                                                              std::max(3 * layout.radius, apartForLegend() + line())));
@@ -155,7 +155,7 @@ struct CoverageView::Parts {
 
   /// The words have changed, and with them the room that they need.
   void sayAnew() {
-    view->setAccessibleDescription(coverageInWords(coverage, next));
+    view->setAccessibleDescription(coverageText(coverage, next));
     const double height = mostBelowDiscs(view->width());
     if (std::exchange(said_height, height) != height) view->updateGeometry();
     changed();
@@ -370,13 +370,13 @@ QSize CoverageView::sizeHint() const {
 }
 
 QSize CoverageView::minimumSizeHint() const {
-  const int width = static_cast<int>(2 * kLeastDisc + 4 * parts_->nowSign() + 2);
-  return {width, static_cast<int>(kLeastDisc + parts_->nowSign() + 1 + kBottom +
+  const int width = static_cast<int>(2 * kMinDisc + 4 * parts_->nowSign() + 2);
+  return {width, static_cast<int>(kMinDisc + parts_->nowSign() + 1 + kBottom +
                                   parts_->mostBelowDiscs(std::max(width, this->width())))};
 }
 
 int CoverageView::heightForWidth(int width) const {
-  const double disc = std::clamp(parts_->acrossOf(width), kLeastDisc, kMostDisc);
+  const double disc = std::clamp(parts_->acrossOf(width), kMinDisc, kMaxDisc);
   return static_cast<int>(disc + parts_->nowSign() + 1 + kBottom + parts_->mostBelowDiscs(width));
 }
 

@@ -28,7 +28,7 @@ QLabel* plainLabel(const char* object_name, QWidget* parent) {
   return label;
 }
 
-QString countInWords(std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
+QString countText(std::uint64_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
 
@@ -50,24 +50,24 @@ Tone sourceStateTone(SourceState state) {
                 {Tone::Neutral, Tone::Neutral, Tone::Neutral, Tone::Good, Tone::Caution, Tone::Neutral, Tone::Bad});
 }
 
-QString countersInWords(const SourceStatus& status, const HoldStatus& hold) {
+QString countersText(const SourceStatus& status, const HoldStatus& hold) {
   QString text = LiveWords::tr("%1 frames · %2 lost · %3 late")
-                     .arg(countInWords(status.frames), countInWords(status.lost_samples),
-                          countInWords(status.late_frames + hold.late_frames));
+                     .arg(countText(status.frames), countText(status.lost_samples),
+                          countText(status.late_frames + hold.late_frames));
   if (status.dropped_by_device > 0) {
-    text += LiveWords::tr(" · %1 dropped by the device").arg(countInWords(status.dropped_by_device));
+    text += LiveWords::tr(" · %1 dropped by the device").arg(countText(status.dropped_by_device));
   }
-  if (status.rejected_messages > 0) text += LiveWords::tr(" · %1 broken").arg(countInWords(status.rejected_messages));
-  if (status.unknown_samples > 0) text += LiveWords::tr(" · %1 unknown").arg(countInWords(status.unknown_samples));
-  if (status.reconnects > 0) text += LiveWords::tr(" · %1 reconnects").arg(countInWords(status.reconnects));
+  if (status.rejected_messages > 0) text += LiveWords::tr(" · %1 broken").arg(countText(status.rejected_messages));
+  if (status.unknown_samples > 0) text += LiveWords::tr(" · %1 unknown").arg(countText(status.unknown_samples));
+  if (status.reconnects > 0) text += LiveWords::tr(" · %1 reconnects").arg(countText(status.reconnects));
   return text;
 }
 
-QString lossesInWords(const SourceStatus& status, const HoldStatus& hold) {
+QString lossesText(const SourceStatus& status, const HoldStatus& hold) {
   QStringList losses;
   const auto add = [&losses](std::uint64_t count, const QString& one, const QString& several) {
     if (count == 1) losses << one;
-    if (count > 1) losses << several.arg(countInWords(count));
+    if (count > 1) losses << several.arg(countText(count));
   };
   add(status.lost_samples, LiveWords::tr("1 sample lost"), LiveWords::tr("%1 samples lost"));
   add(status.late_frames + hold.late_frames, LiveWords::tr("1 frame late"), LiveWords::tr("%1 frames late"));
@@ -112,7 +112,7 @@ void LiveStrip::setStatus(const SourceStatus& status, const HoldStatus& hold) {
   const QString again = word_->text() + QStringLiteral(": ");
   if (text.startsWith(again)) text.remove(0, again.size());
   text_->setText(text);
-  counters_->setText(countersInWords(status, hold));
+  counters_->setText(countersText(status, hold));
 }
 
 }  // namespace hexoderm

@@ -17,10 +17,10 @@ QString sourceStateWord(SourceState state);
 QString sourceStateSign(SourceState state);
 Tone sourceStateTone(SourceState state);
 /// "17,230 frames · 0 lost · 0 late"; what else went wrong is added where there is any.
-QString countersInWords(const SourceStatus& status, const HoldStatus& hold);
+QString countersText(const SourceStatus& status, const HoldStatus& hold);
 
 /// "12 samples lost · 3 frames late · 40 samples dropped by the device": what there is of that; empty: nothing.
-QString lossesInWords(const SourceStatus& status, const HoldStatus& hold);
+QString lossesText(const SourceStatus& status, const HoldStatus& hold);
 
 /// The strip for a skin that does not (yet) send as it should: the state of its source, and a button that disconnects
 /// it. The window shows it over the content until all is well; then the status bar and the step Capture say more.

@@ -14,7 +14,7 @@ inline const ColorMap& mapOf(Coloring coloring, const SceneColors& colors) {
 
 /// The colour of every cell's front face in the 3D scene, in the order of the figures; SceneColors::no_data where
 /// nothing is known. `range`: of the scale, where the coloring has one.
-inline std::vector<Rgb> cellColors(Coloring coloring, const CellFigures& figures, const CellReadings& readings,
+inline std::vector<Rgb> cellColors(Coloring coloring, const CellMetrics& figures, const CellReadings& readings,
                                    const ColorRange& range, const SceneColors& colors) {
   const std::size_t count = figures.cells.size();
   std::vector<Rgb> result(count, colors.no_data);

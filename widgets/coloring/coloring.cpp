@@ -28,35 +28,35 @@ std::optional<typename Map::mapped_type> lookedUp(const Map& known, CellId cell)
 /// One of a link's angles, which exist only together with its figures.
 template <double LinkEstimate::*Angle>
 std::optional<double> angleOfLink(const LinkEstimate& link) {
-  return link.hasFigures() ? std::optional(toDegrees(link.*Angle)) : std::nullopt;
+  return link.hasMetrics() ? std::optional(toDegrees(link.*Angle)) : std::nullopt;
 }
 std::optional<double> sizeOfYaw(const LinkEstimate& link) {
-  return link.hasFigures() ? std::optional(toDegrees(std::abs(link.yaw_rad))) : std::nullopt;
+  return link.hasMetrics() ? std::optional(toDegrees(std::abs(link.yaw_rad))) : std::nullopt;
 }
 
 /// One of a cell's angles or lengths among its figures.
-template <std::vector<std::optional<double>> CellFigures::*Angles>
-std::optional<double> angleOfCell(const CellFigures& figures, const CellReadings& /*readings*/, std::size_t index) {
+template <std::vector<std::optional<double>> CellMetrics::*Angles>
+std::optional<double> angleOfCell(const CellMetrics& figures, const CellReadings& /*readings*/, std::size_t index) {
   return inDegrees((figures.*Angles)[index]);
 }
-template <std::vector<std::optional<double>> CellFigures::*Lengths>
-std::optional<double> lengthOfCell(const CellFigures& figures, const CellReadings& /*readings*/, std::size_t index) {
+template <std::vector<std::optional<double>> CellMetrics::*Lengths>
+std::optional<double> lengthOfCell(const CellMetrics& figures, const CellReadings& /*readings*/, std::size_t index) {
   return inMillimetres((figures.*Lengths)[index]);
 }
 
 template <int Axis>
-std::optional<double> readingOfCell(const CellFigures& figures, const CellReadings& readings, std::size_t index) {
+std::optional<double> readingOfCell(const CellMetrics& figures, const CellReadings& readings, std::size_t index) {
   const auto g = lookedUp(readings.acceleration_g, figures.cells[index]);
   return g ? std::optional((*g)[Axis]) : std::nullopt;
 }
-std::optional<double> normOfCell(const CellFigures& figures, const CellReadings& readings, std::size_t index) {
+std::optional<double> normOfCell(const CellMetrics& figures, const CellReadings& readings, std::size_t index) {
   const auto g = lookedUp(readings.acceleration_g, figures.cells[index]);
   return g ? std::optional(g->norm()) : std::nullopt;
 }
-std::optional<double> temperatureOfCell(const CellFigures& figures, const CellReadings& readings, std::size_t index) {
+std::optional<double> temperatureOfCell(const CellMetrics& figures, const CellReadings& readings, std::size_t index) {
   return lookedUp(readings.temperature_c, figures.cells[index]);
 }
-std::optional<double> surfaceDistanceOfCell(const CellFigures& figures, const CellReadings& readings,
+std::optional<double> surfaceDistanceOfCell(const CellMetrics& figures, const CellReadings& readings,
                                             std::size_t index) {
   return inMillimetres(lookedUp(readings.surface_distance_m, figures.cells[index]));
 }
@@ -95,7 +95,7 @@ constexpr std::array kTable = {
     angleOfLinks({.coloring = Coloring::Residual,
                   .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual"),
                   .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownResidual()); },
-                  .of_cell = angleOfCell<&CellFigures::residual_rad>,
+                  .of_cell = angleOfCell<&CellMetrics::residual_rad>,
                   .range = ColorRange{0, 2},
                   .least_span = 0.1,
                   .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "residual, rms over poses"),
@@ -103,7 +103,7 @@ constexpr std::array kTable = {
     angleOfLinks({.coloring = Coloring::Deviation,
                   .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
                   .of_link = [](const LinkEstimate& link) { return inDegrees(link.knownSigma()); },
-                  .of_cell = angleOfCell<&CellFigures::sigma_rad>,
+                  .of_cell = angleOfCell<&CellMetrics::sigma_rad>,
                   .range = ColorRange{0, 6},
                   .least_span = 0.1,
                   .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "predicted deviation"),
@@ -111,7 +111,7 @@ constexpr std::array kTable = {
     angleOfLinks({.coloring = Coloring::Bend,
                   .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "bend"),
                   .of_link = angleOfLink<&LinkEstimate::bend_rad>,
-                  .of_cell = angleOfCell<&CellFigures::bend_rad>,
+                  .of_cell = angleOfCell<&CellMetrics::bend_rad>,
                   .range = ColorRange{-30, 30},
                   .least_span = 2,
                   .center = 0,
@@ -121,7 +121,7 @@ constexpr std::array kTable = {
     angleOfLinks({.coloring = Coloring::Twist,
                   .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "twist"),
                   .of_link = angleOfLink<&LinkEstimate::twist_rad>,
-                  .of_cell = angleOfCell<&CellFigures::twist_rad>,
+                  .of_cell = angleOfCell<&CellMetrics::twist_rad>,
                   .range = ColorRange{-20, 20},
                   .least_span = 2,
                   .center = 0,
@@ -131,7 +131,7 @@ constexpr std::array kTable = {
     angleOfLinks({.coloring = Coloring::Yaw,
                   .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw"),
                   .of_link = sizeOfYaw,
-                  .of_cell = angleOfCell<&CellFigures::yaw_rad>,
+                  .of_cell = angleOfCell<&CellMetrics::yaw_rad>,
                   .range = ColorRange{0, 6},
                   .limit_rad = &SolverOptions::max_yaw_rad,
                   .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "yaw, either way"),
@@ -140,7 +140,7 @@ constexpr std::array kTable = {
         {.coloring = Coloring::ShapeUncertainty,
          .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape"),
          .unit = "mm",
-         .of_cell = lengthOfCell<&CellFigures::shape_position_95_m>,
+         .of_cell = lengthOfCell<&CellMetrics::shape_position_95_m>,
          .range = ColorRange{0, 3},
          .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the shape (95 %)"),
          .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")}),
@@ -148,14 +148,14 @@ constexpr std::array kTable = {
         {.coloring = Coloring::ShapeOrientation,
          .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation in the shape"),
          .unit = "°",
-         .of_cell = angleOfCell<&CellFigures::shape_orientation_95_rad>,
+         .of_cell = angleOfCell<&CellMetrics::shape_orientation_95_rad>,
          .range = ColorRange{0, 3},
          .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "uncertainty of the orientation in the shape (95 %)"),
          .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "This result does not state how well its shape is known")}),
     uncertainty({.coloring = Coloring::PositionUncertainty,
                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty"),
                  .unit = "mm",
-                 .of_cell = lengthOfCell<&CellFigures::position_95_m>,
+                 .of_cell = lengthOfCell<&CellMetrics::position_95_m>,
                  .range = ColorRange{0, 6},
                  .goal = toMillimetres(kGoodPosition_m),
                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "position uncertainty (95 %)"),
@@ -163,7 +163,7 @@ constexpr std::array kTable = {
     uncertainty({.coloring = Coloring::OrientationUncertainty,
                  .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty"),
                  .unit = "°",
-                 .of_cell = angleOfCell<&CellFigures::orientation_95_rad>,
+                 .of_cell = angleOfCell<&CellMetrics::orientation_95_rad>,
                  .range = ColorRange{0, 6},
                  .goal = toDegrees(kGoodOrientation_rad),
                  .graph_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "orientation uncertainty (95 %)"),
@@ -172,7 +172,7 @@ constexpr std::array kTable = {
                 .group = ColoringGroup::Shape,
                 .name = QT_TRANSLATE_NOOP("hexoderm::Coloring", "distance from the origin"),
                 .unit = "mm",
-                .of_cell = lengthOfCell<&CellFigures::path_length_m>,
+                .of_cell = lengthOfCell<&CellMetrics::path_length_m>,
                 .range = ColorRange{0, 500},
                 .least_span = 10,
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "path length from the origin"),
@@ -261,7 +261,7 @@ std::vector<ScaleLimit> limitsOf(Coloring coloring, const SolverOptions& options
   return limits;
 }
 
-std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigures& figures,
+std::vector<std::optional<double>> cellValues(Coloring coloring, const CellMetrics& figures,
                                               const CellReadings& readings) {
   std::vector<std::optional<double>> values(figures.cells.size());
   const ColoringRow& row = coloringRow(coloring);
@@ -270,7 +270,7 @@ std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigur
   return values;
 }
 
-bool hasValues(Coloring coloring, const CellFigures& figures, const CellReadings& readings) {
+bool hasValues(Coloring coloring, const CellMetrics& figures, const CellReadings& readings) {
   if (coloring == Coloring::BodyPart) return !figures.body_parts.empty();
   const ColoringRow& row = coloringRow(coloring);
   if (row.of_cell == nullptr) return true;
@@ -281,7 +281,7 @@ bool hasValues(Coloring coloring, const CellFigures& figures, const CellReadings
 }
 
 std::vector<std::optional<double>> scaledValues(Coloring coloring, const Reconstruction& reconstruction,
-                                                const CellFigures& figures, const CellReadings& readings) {
+                                                const CellMetrics& figures, const CellReadings& readings) {
   const ColoringRow& row = coloringRow(coloring);
   if (row.of_link == nullptr) return cellValues(coloring, figures, readings);
   std::vector<std::optional<double>> values;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/solve/metrics/cell_figures.h"
+#include "hexoderm/solve/metrics/cell_metrics.h"
 #include "hexoderm/solve/metrics/value_scale.h"
 #include "hexoderm/solve/result/reconstruction.h"
 
@@ -64,7 +64,7 @@ struct CellReadings {
 /// context hexoderm::Coloring (coloring_words.h does).
 struct ColoringRow {
   using OfLink = std::optional<double> (*)(const LinkEstimate& link);
-  using OfCell = std::optional<double> (*)(const CellFigures& figures, const CellReadings& readings, std::size_t index);
+  using OfCell = std::optional<double> (*)(const CellMetrics& figures, const CellReadings& readings, std::size_t index);
 
   Coloring coloring{};
   ColoringGroup group{};
@@ -105,14 +105,14 @@ bool isReading(Coloring coloring);
 std::vector<ScaleLimit> limitsOf(Coloring coloring, const SolverOptions& options);
 
 /// The values of all cells in the order of the figures.
-std::vector<std::optional<double>> cellValues(Coloring coloring, const CellFigures& figures,
+std::vector<std::optional<double>> cellValues(Coloring coloring, const CellMetrics& figures,
                                               const CellReadings& readings);
 /// True if at least one cell has a value or a class.
-bool hasValues(Coloring coloring, const CellFigures& figures, const CellReadings& readings);
+bool hasValues(Coloring coloring, const CellMetrics& figures, const CellReadings& readings);
 /// The values that a scale is fitted to, the same for the graph and the 3D view: those of the used links where links
 /// have the figure, else those of the cells.
 std::vector<std::optional<double>> scaledValues(Coloring coloring, const Reconstruction& reconstruction,
-                                                const CellFigures& figures, const CellReadings& readings);
+                                                const CellMetrics& figures, const CellReadings& readings);
 /// The ends of the scale of these values, of a quantity. `fixed`: by the operator.
 ColorRange rangeOf(Coloring coloring, const std::vector<std::optional<double>>& values,
                    const std::optional<ColorRange>& fixed);

@@ -20,7 +20,7 @@ QString withUnit(const QString& number, Coloring coloring) {
   return unit == QStringLiteral("°") ? number + unit : number + QLatin1Char(' ') + unit;
 }
 
-QString cellsInWords(std::size_t count) {
+QString cellsText(std::size_t count) {
   return count == 1 ? ScaleLegendWords::tr("1 cell")
                     : ScaleLegendWords::tr("%1 cells").arg(QLocale().toString(static_cast<qulonglong>(count)));
 }
@@ -60,7 +60,7 @@ QString limitWord(ScaleLimit::Kind kind) {
   return kind == ScaleLimit::Kind::Goal ? ScaleLegendWords::tr("goal") : ScaleLegendWords::tr("limit");
 }
 
-QString limitBeyondInWords(const ScaleLegend& legend) {
+QString limitBeyondText(const ScaleLegend& legend) {
   if (!legend.extremes) return {};
   for (const ScaleLimit& limit : legend.limits) {
     if (limit.kind != ScaleLimit::Kind::Goal) continue;
@@ -75,25 +75,25 @@ QString limitBeyondInWords(const ScaleLegend& legend) {
   return {};
 }
 
-QString binInWords(const ScaleLegend& legend, int bin) {
+QString binText(const ScaleLegend& legend, int bin) {
   const auto bins = static_cast<int>(legend.counts.counts.size());
   const ColorRange& range = legend.range;
   if (bin < 0) {
     return ScaleLegendWords::tr("less than %1: %2")
-        .arg(valueWithUnit(range.low, range, legend.coloring), cellsInWords(legend.counts.below));
+        .arg(valueWithUnit(range.low, range, legend.coloring), cellsText(legend.counts.below));
   }
   if (bin >= bins) {
     return ScaleLegendWords::tr("more than %1: %2")
-        .arg(valueWithUnit(range.high, range, legend.coloring), cellsInWords(legend.counts.above));
+        .arg(valueWithUnit(range.high, range, legend.coloring), cellsText(legend.counts.above));
   }
   const double width = (range.high - range.low) / bins;
   return ScaleLegendWords::tr("%1 to %2: %3")
       .arg(valueOnScale(range.low + bin * width, range),
            valueWithUnit(range.low + (bin + 1) * width, range, legend.coloring),
-           cellsInWords(legend.counts.counts[static_cast<std::size_t>(bin)]));
+           cellsText(legend.counts.counts[static_cast<std::size_t>(bin)]));
 }
 
-QString scaleInWords(const ScaleLegend& legend) {
+QString scaleText(const ScaleLegend& legend) {
   const ColorRange& range = legend.range;
   const bool is_usual = !legend.is_fixed && !coloringRow(legend.coloring).is_fitted;
   const QString state = legend.is_fixed ? ScaleLegendWords::tr("range fixed")
@@ -102,16 +102,15 @@ QString scaleInWords(const ScaleLegend& legend) {
   QStringList words = {
       ScaleLegendWords::tr("from %1 to %2, %3")
           .arg(valueOnScale(range.low, range), valueWithUnit(range.high, range, legend.coloring), state)};
-  if (legend.counts.below > 0) words << binInWords(legend, -1);
-  if (legend.counts.above > 0) words << binInWords(legend, static_cast<int>(legend.counts.counts.size()));
-  if (legend.counts.unknown > 0)
-    words << ScaleLegendWords::tr("not known: %1").arg(cellsInWords(legend.counts.unknown));
+  if (legend.counts.below > 0) words << binText(legend, -1);
+  if (legend.counts.above > 0) words << binText(legend, static_cast<int>(legend.counts.counts.size()));
+  if (legend.counts.unknown > 0) words << ScaleLegendWords::tr("not known: %1").arg(cellsText(legend.counts.unknown));
   for (const ScaleLimit& limit : legend.limits) {
     if (limit.value < range.low || limit.value > range.high) continue;
     words << limitWord(limit.kind) + QLatin1Char(' ') +
                  withUnit(QLocale().toString(limit.value, 'g', 6), legend.coloring);
   }
-  const QString beyond = limitBeyondInWords(legend);
+  const QString beyond = limitBeyondText(legend);
   if (!beyond.isEmpty()) words << beyond;
   return words.join(QStringLiteral("; "));
 }

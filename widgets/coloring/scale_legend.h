@@ -39,10 +39,10 @@ QString valueWithUnit(double value, const ColorRange& range, Coloring coloring);
 QString limitWord(ScaleLimit::Kind kind);
 /// "all within the goal of 3 mm": of the limits that lie outside of the scale, where that can be said of all values;
 /// empty otherwise.
-QString limitBeyondInWords(const ScaleLegend& legend);
+QString limitBeyondText(const ScaleLegend& legend);
 /// "0.20 to 0.24 mm: 3 cells". `bin` is below 0 or at kBins for what lies beyond an end.
-QString binInWords(const ScaleLegend& legend, int bin);
+QString binText(const ScaleLegend& legend, int bin);
 /// "from 0.2 to 0.9 mm, fitted to these cells; 1 beyond": for screen readers.
-QString scaleInWords(const ScaleLegend& legend);
+QString scaleText(const ScaleLegend& legend);
 
 }  // namespace hexoderm

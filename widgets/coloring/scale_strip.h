@@ -51,7 +51,7 @@ class ScaleStrip {
   /// The bar alone, without its arrows.
   [[nodiscard]] const QRectF& bar() const { return bar_; }
 
-  /// `marked`: a value that is pointed at. `probed`: a bin that is looked at, see binInWords().
+  /// `marked`: a value that is pointed at. `probed`: a bin that is looked at, see binText().
   void paint(QPainter& painter, std::optional<double> marked, std::optional<int> probed) const {
     painter.save();
     painter.setFont(font_);
@@ -91,7 +91,7 @@ class ScaleStrip {
   static constexpr double kArrow = 0.62;  // length
   static constexpr double kTick = 0.22;
   static constexpr double kMarkSize = 0.34;
-  static constexpr double kLeastColumn = 0.14;  // of a bin with a single cell among thousands
+  static constexpr double kMinColumn = 0.14;  // of a bin with a single cell among thousands
 
   [[nodiscard]] double histogramHeight() const { return (has_histogram_ ? kHistogramHeight : kMarkSize) * row_; }
   void paintHistogram(QPainter& painter, std::optional<int> probed) const {
@@ -105,7 +105,7 @@ class ScaleStrip {
       if (probed == static_cast<int>(k)) painter.fillRect(column, colors_.border);
       if (legend_.counts.counts[k] == 0) continue;
       const double share = static_cast<double>(legend_.counts.counts[k]) / static_cast<double>(largest);
-      const double height = room * std::max(kLeastColumn, share);
+      const double height = room * std::max(kMinColumn, share);
       painter.fillRect(QRectF(column.left() + 0.5, bar_.top() - height, std::max(1.0, width - 1), height),
                        toQColor(onScale(map_.steps, (static_cast<double>(k) + 0.5) / static_cast<double>(bins))));
     }

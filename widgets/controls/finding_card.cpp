@@ -58,7 +58,7 @@ void FindingCard::setFinding(const Finding& finding, const std::vector<FindingOf
   setTone(severity_, toneOf(finding.severity));
   what_->setText(unbroken(words(finding.message)));
   const bool is_somewhere = !finding.cells.empty() || !finding.poses.empty();
-  where_->setText(is_somewhere ? placeInWords(finding) : QString());
+  where_->setText(is_somewhere ? placeText(finding) : QString());
   show_->setVisible(is_somewhere);
   show_->setAccessibleName(tr("Show: %1").arg(what_->text()));
   why_->setText(tr("Why: %1").arg(words(description.why)));
@@ -118,10 +118,10 @@ FindingCards::FindingCards(const QString& object_name, QWidget* parent) : QWidge
 }
 
 void FindingCards::setItems(const std::vector<Item>& items) {
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMax = 4;
   if (items == items_) return;
   items_ = items;
-  const std::size_t count = std::min(kMost, items.size());
+  const std::size_t count = std::min(kMax, items.size());
   while (cards_.size() < count) {
     auto* card = new FindingCard(this);
     connect(card, &FindingCard::showWanted, this, &FindingCards::showWanted);

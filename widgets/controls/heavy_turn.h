@@ -47,8 +47,8 @@ class HeavyTurn : public QObject {
   }
 
   void due() {
-    constexpr int kMostOthers = 3;  // where something heavy is done in every turn, all come slowly, and none never
-    if (!take() && ++waited_ <= kMostOthers) {
+    constexpr int kMaxOthers = 3;  // where something heavy is done in every turn, all come slowly, and none never
+    if (!take() && ++waited_ <= kMaxOthers) {
       timer_.start(1);  // 0 may be in the same turn
       return;
     }

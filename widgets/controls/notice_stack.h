@@ -57,9 +57,9 @@ class NoticeStack : public QWidget {
     setVisible(any);
     if (!any) return;
     constexpr int kMargin = 16;
-    constexpr int kMostCharacters = 110;  // longer lines are hard to read
+    constexpr int kMaxCharacters = 110;  // longer lines are hard to read
     const QSize room = parentWidget()->size();
-    const int width = std::min(room.width() - 2 * kMargin, kMostCharacters * fontMetrics().averageCharWidth());
+    const int width = std::min(room.width() - 2 * kMargin, kMaxCharacters * fontMetrics().averageCharWidth());
     layout()->activate();
     const int height =
         layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width) : layout()->totalSizeHint().height();

@@ -20,7 +20,7 @@
 namespace hexoderm {
 namespace {
 
-QString readinessInWords(Readiness readiness) {
+QString readinessText(Readiness readiness) {
   return ofEnum(readiness, {StepPanel::tr("✓ Ready: %1"), StepPanel::tr("▲ Possible: %1"),
                             StepPanel::tr("… Waiting: %1"), StepPanel::tr("■ Blocked: %1")});
 }
@@ -29,7 +29,7 @@ constexpr int kBadge = 24;
 constexpr int kMargin = 14;
 constexpr int kIndent = kMargin + kBadge + 10;
 
-QString stateInWords(StepState state) {
+QString stateText(StepState state) {
   return ofEnum(state, {StepPanel::tr("waiting"), StepPanel::tr("current"), StepPanel::tr("done")});
 }
 
@@ -48,7 +48,7 @@ class StepHead : public QAbstractButton {
     title_ = step.title;
     note_ = step.note;
     state_ = step.state;
-    setAccessibleName(StepPanel::tr("Step %1, %2: %3").arg(number_).arg(title_, stateInWords(state_)));
+    setAccessibleName(StepPanel::tr("Step %1, %2: %3").arg(number_).arg(title_, stateText(state_)));
     setAccessibleDescription(note_);
     updateGeometry();
     update();
@@ -161,7 +161,7 @@ class StepPanel::Row : public QWidget {
     head_->set(step);
     showIfAny(what_, unbroken(step.what));
     showIfAny(why_, step.why);
-    because_->setText(readinessInWords(step.readiness).arg(step.because));
+    because_->setText(readinessText(step.readiness).arg(step.because));
     because_->setVisible(!step.because.isEmpty());
     while (buttons_shown_.size() < step.actions.size()) {
       auto* button = quiet(new ActionButton(body_), "stepButton");

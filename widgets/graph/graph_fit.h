@@ -57,14 +57,14 @@ struct GraphFit {
   /// A skin of one cell need not fill the window.
   static constexpr double kLargestFittedRadius_px = 40;
   static constexpr double kLargestRadius_px = 150;
-  static constexpr double kLeastForSkin_px = 180;  ///< height beside a legend
-  static constexpr double kMostForLegend = 0.18;   ///< share of the view's height
+  static constexpr double kMinForSkin_px = 180;  ///< height beside a legend
+  static constexpr double kMaxForLegend = 0.18;  ///< share of the view's height
   /// Empty where there is no room for a legend.
   static QRectF placeLegend(const GraphLegend* legend, QSize view) {
     if (legend == nullptr) return {};
     const double width = view.width() - 2 * GraphFit::kMargin_px;
     const double height = legend->heightFor(width);
-    if (height <= 0 || height > kMostForLegend * view.height() || view.height() - height < kLeastForSkin_px) return {};
+    if (height <= 0 || height > kMaxForLegend * view.height() || view.height() - height < kMinForSkin_px) return {};
     return {GraphFit::kMargin_px, view.height() - height - 0.5 * GraphFit::kMargin_px, width, height};
   }
 

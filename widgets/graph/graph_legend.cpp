@@ -12,10 +12,10 @@ namespace {
 constexpr double kSampleWidth = 1.5;
 constexpr double kEntrySpace = 0.4;
 constexpr double kBetween = 1.0;
-constexpr double kLeastBarWidth = 6.0;
-constexpr double kMostBarWidth = 16.0;
-constexpr int kMostRows = 3;
-constexpr std::size_t kMostClasses = 8;
+constexpr double kMinBarWidth = 6.0;
+constexpr double kMaxBarWidth = 16.0;
+constexpr int kMaxRows = 3;
+constexpr std::size_t kMaxClasses = 8;
 
 }  // namespace
 
@@ -28,11 +28,11 @@ GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme
     note_ = paint.scale->is_fixed ? tr("range fixed") : QString();
   }
   const bool of_cells = !coloringRow(paint.coloring).colors_links;
-  for (std::size_t k = 0; k < std::min(paint.words.size(), kMostClasses); ++k) {
+  for (std::size_t k = 0; k < std::min(paint.words.size(), kMaxClasses); ++k) {
     entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
                         of_cells ? LinkStroke{paint.fills[k]} : paint.strokes[k], paint.words[k]});
   }
-  if (paint.words.size() > kMostClasses || (of_cells && !scale_ && paint.words.empty() && !paint.fills.empty())) {
+  if (paint.words.size() > kMaxClasses || (of_cells && !scale_ && paint.words.empty() && !paint.fills.empty())) {
     entries_.push_back({Sample::Fill, {Qt::transparent}, tr("and so on")});
   }
   if (paint.has_unknown) {
@@ -60,7 +60,7 @@ double GraphLegend::scaleHeight() const { return scale_ ? std::max(scale_->heigh
 GraphLegend::Arrangement GraphLegend::arrange(double room) const {
   const auto count = static_cast<int>(entries_.size());
   const double between = kBetween * rowHeight();
-  if (scale_ && titleWidth() + between + kLeastBarWidth * rowHeight() > room) return {};
+  if (scale_ && titleWidth() + between + kMinBarWidth * rowHeight() > room) return {};
   double total = -between;
   double column = 0;
   for (const Entry& entry : entries_) {
@@ -68,7 +68,7 @@ GraphLegend::Arrangement GraphLegend::arrange(double room) const {
     column = std::max(column, widthOf(entry) + between);
   }
   if (total <= room) return {1, count, 0, total};
-  for (int rows = 2; rows <= kMostRows; ++rows) {
+  for (int rows = 2; rows <= kMaxRows; ++rows) {
     const int columns = (count + rows - 1) / rows;
     if (columns * column - between <= room) return {rows, columns, column, columns * column - between};
   }
@@ -93,7 +93,7 @@ void GraphLegend::draw(QPainter& painter, const QRectF& area) const {
 
 void GraphLegend::drawScale(QPainter& painter, const QRectF& area) const {
   const double between = kBetween * rowHeight();
-  const double bar = std::min(kMostBarWidth * rowHeight(), area.width() - titleWidth() - between);
+  const double bar = std::min(kMaxBarWidth * rowHeight(), area.width() - titleWidth() - between);
   const double left = area.left() + 0.5 * (area.width() - titleWidth() - between - bar);
   ScaleStrip strip = *scale_;
   strip.setPlace(QPointF(left + titleWidth() + between, area.top()), bar);

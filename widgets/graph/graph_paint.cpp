@@ -17,8 +17,8 @@ struct GraphPaintWords {
 /// Steps that a scale is drawn in; the eye tells no more apart.
 constexpr int kSteps = 24;
 
-CellFigures figuresOf(const GraphScene& scene) {
-  return scene.reconstruction() ? makeCellFigures(*scene.reconstruction()) : CellFigures{};
+CellMetrics figuresOf(const GraphScene& scene) {
+  return scene.reconstruction() ? makeCellMetrics(*scene.reconstruction()) : CellMetrics{};
 }
 
 /// After the steps of the scale come the colours of what lies below and above it.
@@ -54,7 +54,7 @@ void paintScale(const GraphScene& scene, Theme theme, const std::optional<ColorR
   }
   if (!scene.reconstruction()) return;
   const Reconstruction& skin = *scene.reconstruction();
-  const CellFigures figures = row.colors_links ? CellFigures{} : makeCellFigures(skin);
+  const CellMetrics figures = row.colors_links ? CellMetrics{} : makeCellMetrics(skin);
   const auto values = scaledValues(paint.coloring, skin, figures, {});
   paint.scale = makeScaleLegend(paint.coloring, values, values, fixed, skin.options);
   const ColorRange range = paint.scale->range;
@@ -92,8 +92,8 @@ void paintPlacedBy(const GraphScene& scene, Theme theme, GraphPaint& paint) {
 }
 
 void paintPatches(const GraphScene& scene, Theme theme, GraphPaint& paint) {
-  constexpr std::size_t kMostColors = 64;  // more can't be told apart; beyond that neighbours should at least differ
-  const std::size_t colors = std::min(scene.patches().size(), kMostColors);
+  constexpr std::size_t kMaxColors = 64;  // more can't be told apart; beyond that neighbours should at least differ
+  const std::size_t colors = std::min(scene.patches().size(), kMaxColors);
   for (std::size_t k = 0; k < colors; ++k) {
     paint.fills.push_back(classColor(k, colors, theme));
     paint.words.push_back(patchWord(scene.patches()[k].patch->id.value()));
@@ -105,7 +105,7 @@ void paintPatches(const GraphScene& scene, Theme theme, GraphPaint& paint) {
 }
 
 void paintBodyParts(const GraphScene& scene, Theme theme, GraphPaint& paint) {
-  const CellFigures figures = figuresOf(scene);
+  const CellMetrics figures = figuresOf(scene);
   for (const std::string& name : figures.body_parts) {
     paint.fills.push_back(classColor(paint.fills.size(), figures.body_parts.size(), theme));
     paint.words.push_back(QString::fromStdString(name));

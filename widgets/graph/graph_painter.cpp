@@ -12,7 +12,7 @@ namespace hexoderm {
 namespace {
 
 /// Curves between the ends of cuts help while there are few.
-constexpr std::size_t kMostCutCurves = 4;
+constexpr std::size_t kMaxCutCurves = 4;
 
 QPointF normalOf(const QPointF& a, const QPointF& b) {
   const QPointF along = b - a;
@@ -48,7 +48,7 @@ void GraphPainter::drawSheet(QPainter& painter) const {
   drawLinks(painter);
   drawMutedLinks(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);
-  if (scene_.cutCount() <= kMostCutCurves) drawCutCurves(painter);
+  if (scene_.cutCount() <= kMaxCutCurves) drawCutCurves(painter);
   painter.setRenderHint(QPainter::Antialiasing, smooth);
   drawCells(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);

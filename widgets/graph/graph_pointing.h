@@ -95,7 +95,7 @@ inline QString toolTipOf(const GraphScene& scene, const GraphHit& hit) {
 /// The size of the skin, and what is picked in it, for screen readers.
 inline QString describeGraph(const GraphScene& scene, const GraphHit& picked) {
   if (!scene.reconstruction()) return GraphPointing::tr("No skin is open.");
-  QString text = words(sizeInWords(*scene.reconstruction()));
+  QString text = words(sizeText(*scene.reconstruction()));
   if (picked.cell) {
     text += QStringLiteral(". ") + GraphPointing::tr("Picked: cell %1").arg(scene.cells()[*picked.cell].id.value());
   }

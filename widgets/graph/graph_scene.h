@@ -133,9 +133,9 @@ class GraphScene {
 
   /// The neighbour that lies most in `direction` (unit length): one with a link if there is any, else the nearest cell.
   [[nodiscard]] std::optional<std::size_t> neighborToward(std::size_t cell, const QPointF& direction) const {
-    constexpr double kLeastAgreement = 0.25;
+    constexpr double kMinAgreement = 0.25;
     std::optional<std::size_t> best;
-    double best_agreement = kLeastAgreement;
+    double best_agreement = kMinAgreement;
     for (const std::size_t index : cells_[cell].links) {
       const Link& link = links_[index];
       const double agreement = QPointF::dotProduct(directionFrom(cell, link), direction);

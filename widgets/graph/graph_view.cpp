@@ -25,9 +25,9 @@ namespace {
 
 constexpr double kKeyZoom = 1.25;
 /// In a smaller view there is no button; the context menu offers the colours, too.
-constexpr QSize kLeastForButton(220, 150);
+constexpr QSize kMinForButton(220, 150);
 /// A larger skin takes long to draw.
-constexpr std::size_t kMostCellsAtOnce = 300;
+constexpr std::size_t kMaxCellsAtOnce = 300;
 constexpr int kDrawAfter_ms = 1;  // 0 may be in the turn in which the window is painted
 
 const std::map<int, QPointF> kArrows = {
@@ -143,7 +143,7 @@ void GraphView::recolor() {
 
 void GraphView::arrange() {
   const bool has_cells = !scene_->cells().empty();
-  button_->setVisible(has_cells && width() >= kLeastForButton.width() && height() >= kLeastForButton.height());
+  button_->setVisible(has_cells && width() >= kMinForButton.width() && height() >= kMinForButton.height());
   button_->adjustSize();
   const GraphLegend legend(*paint_, marks(), themeOf(palette()), font());
   GraphFit::Neighbors neighbors;
@@ -205,7 +205,7 @@ void GraphView::showPicked() {
   }
 }
 
-void GraphView::showFigures() {
+void GraphView::showMetrics() {
   const std::optional<QPointF> middle = middleOf(*scene_, picked());
   if (!middle) return;
   bringIntoView(picked());
@@ -214,7 +214,7 @@ void GraphView::showFigures() {
 
 void GraphView::repaintSheet() {
   is_sheet_current_ = false;
-  if (scene_->cells().size() > kMostCellsAtOnce && !sheet_.isNull()) {
+  if (scene_->cells().size() > kMaxCellsAtOnce && !sheet_.isNull()) {
     draw_soon_.start();
   } else {
     update();

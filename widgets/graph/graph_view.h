@@ -68,7 +68,7 @@ class GraphView : public QWidget {
  public slots:
   void fit();
   /// Shows the figures of what is picked beside it, as a tool tip.
-  void showFigures();
+  void showMetrics();
   /// Opens the field in which the ID of a cell is typed.
   void findCell();
   /// Puts the graph as it is seen on the clipboard.

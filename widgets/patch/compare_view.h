@@ -193,9 +193,8 @@ class CompareView : public QWidget {
     if (all.cells == 0 || farthest == nullptr) return tr("The two have no cells in common.");
     return tr("%1 cells in common. Between before and now they lie %2 apart and are turned by %3 (rms, after "
               "the best fit of both); cell %4 has moved most, by %5.")
-        .arg(QString::number(all.cells), millimetresInWords(all.position_rms_m, 2),
-             degreesInWords(all.orientation_rms_rad), QString::number(farthest->cell.value()),
-             millimetresInWords(farthest->position_m.norm(), 2));
+        .arg(QString::number(all.cells), millimetresText(all.position_rms_m, 2), degreesText(all.orientation_rms_rad),
+             QString::number(farthest->cell.value()), millimetresText(farthest->position_m.norm(), 2));
   }
 
   PatchView* before_;

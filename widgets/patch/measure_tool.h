@@ -59,8 +59,8 @@ class MeasureTool : public QObject {
     if (!active_) return {};
     if (!first_) return tr("Measure: pick the first cell (Esc ends)");
     if (!second_) return tr("Measure from cell %1: pick the second cell (Esc ends)").arg(first_->value());
-    return distanceInWords(*first_, *second_,
-                           reconstruction_ ? distanceBetween(*reconstruction_, *first_, *second_) : std::nullopt);
+    return distanceText(*first_, *second_,
+                        reconstruction_ ? distanceBetween(*reconstruction_, *first_, *second_) : std::nullopt);
   }
 
  signals:

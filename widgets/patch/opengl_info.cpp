@@ -43,7 +43,7 @@ OpenGlInfo queryOpenGl() {
   return info;
 }
 
-QString openGlInWords(const OpenGlInfo& info) {
+QString openGlText(const OpenGlInfo& info) {
   if (!info.usable) return OpenGlWords::tr("no OpenGL 3.2");
   const QString name = info.renderer.isEmpty() ? OpenGlWords::tr("unknown renderer") : info.renderer;
   return info.software ? OpenGlWords::tr("%1, in software").arg(name) : name;

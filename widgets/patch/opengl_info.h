@@ -19,6 +19,6 @@ QSurfaceFormat sceneSurfaceFormat();
 OpenGlInfo queryOpenGl();
 
 /// "llvmpipe (LLVM 15.0.6, 256 bits), in software": one line for a menu, an about box, a log.
-QString openGlInWords(const OpenGlInfo& info);
+QString openGlText(const OpenGlInfo& info);
 
 }  // namespace hexoderm

@@ -25,7 +25,7 @@ constexpr int kBeforeWord = 7;       // between it and its word
 constexpr int kBetweenEntries = 22;  // between two entries
 constexpr int kMargin = 8;           // below the plate and at the sides
 constexpr int kPlatePadding = 8;     // within the plate
-constexpr int kLeastBar = 176;
+constexpr int kMinBar = 176;
 constexpr int kUsualBar = 380;
 constexpr double kPlateOpacity = 0.84;  // how little is seen through it
 constexpr std::size_t kMaxCategories = 12;
@@ -62,7 +62,7 @@ PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const QFont&
   if (content_.scale) {
     strip_.emplace(*content_.scale, mapOf(content_.coloring, colors_), theme_, font_, ScaleStrip::Histogram::Shown);
     title_ = patchTitle(content_.coloring);
-    const QString beyond = limitBeyondInWords(*content_.scale);
+    const QString beyond = limitBeyondText(*content_.scale);
     if (!beyond.isEmpty()) title_ += QStringLiteral(" · ") + beyond;
     state_ = scaleStateWord(*content_.scale);
     if (content_.some_unknown) {
@@ -173,7 +173,7 @@ void PatchLegend::layOut(const QSize& button) {
   const int between = area_.width() - 2 * (SceneCorners::kLeft + SceneCorners::kSize + kPlatePadding);
   // Or above them, in a narrow view that is high enough.
   constexpr int kHigh = 450;
-  const int least = strip_ ? std::max(kLeastBar, static_cast<int>(std::ceil(state.width()))) : kLeastBar;
+  const int least = strip_ ? std::max(kMinBar, static_cast<int>(std::ceil(state.width()))) : kMinBar;
   const bool has_room_above = between < least && area_.height() > kHigh;
   const int narrow = has_room_above ? full : std::min(full, std::max(between, least));
   class_rows_ = arranged(classes_, strip_ || !signs_.empty() ? narrow : full);
@@ -232,7 +232,7 @@ void PatchLegend::paint(QPainter& painter, std::optional<double> marked, const Q
     const QFontMetrics metrics(font_);
     QString title = title_;
     if (probed) {
-      title = binInWords(strip_->legend(), *probed);
+      title = binText(strip_->legend(), *probed);
     } else if (marked && !marked_word.isEmpty()) {
       title = patchTitle(content_.coloring) + QStringLiteral(" · ") + marked_word;
     }
@@ -278,11 +278,11 @@ QString scaleStateWord(const ScaleLegend& scale) {
                                                : PatchLegendWords::tr("usual range");
 }
 
-QString legendInWords(const LegendContent& content) {
+QString legendText(const LegendContent& content) {
   QStringList words;
   if (content.scale) {
     words << PatchLegendWords::tr("Cells are coloured by: %1; %2")
-                 .arg(patchTitle(content.coloring), scaleInWords(*content.scale));
+                 .arg(patchTitle(content.coloring), scaleText(*content.scale));
   } else {
     words << PatchLegendWords::tr("Cells are coloured by: %1").arg(coloringName(content.coloring));
   }

@@ -96,6 +96,6 @@ class PatchLegend {
 QString scaleStateWord(const ScaleLegend& scale);
 
 /// The legend in a few sentences, for screen readers.
-QString legendInWords(const LegendContent& content);
+QString legendText(const LegendContent& content);
 
 }  // namespace hexoderm

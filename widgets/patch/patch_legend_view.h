@@ -210,8 +210,7 @@ class PatchLegendView : public QWidget {
     if (!content_) return;
     setAccessibleName(content_->scale ? tr("Scale of the colours: %1").arg(patchTitle(content_->coloring))
                                       : tr("Legend of the colours"));
-    setAccessibleDescription(content_->scale && probed_ ? binInWords(*content_->scale, *probed_)
-                                                        : legendInWords(*content_));
+    setAccessibleDescription(content_->scale && probed_ ? binText(*content_->scale, *probed_) : legendText(*content_));
   }
 
   std::optional<LegendContent> content_;

@@ -62,11 +62,11 @@ class PatchPointing : public QObject {
     connect(&glide_time_, &QTimeLine::finished, this, &PatchPointing::stopGlide);
     connect(selection_, &Selection::changed, this, [this] {
       updateMarks();
-      updateFigures();
+      updateMetrics();
     });
     connect(selection_, &Selection::sought, this, &PatchPointing::goToPicked);
     connect(figure_card_, &FigureCard::neighborChosen, selection_, &Selection::seekCell);
-    connect(figure_card_, &FigureCard::closed, this, [this] { setFiguresShown(false); });
+    connect(figure_card_, &FigureCard::closed, this, [this] { setMetricsShown(false); });
     escape_->setEnabled(false);
     connect(escape_, &QShortcut::activated, this, &PatchPointing::goBack);
     connect(escape_, &QShortcut::activatedAmbiguously, this, &PatchPointing::goBack);
@@ -97,7 +97,7 @@ class PatchPointing : public QObject {
   void setTopMargin(int pixels) {
     top_margin_ = pixels;
     marks_->setTopMargin(pixels);
-    placeFigures();
+    placeMetrics();
   }
 
   /// The cell that an instruction speaks of.
@@ -108,10 +108,9 @@ class PatchPointing : public QObject {
   /// Must be called when another skin, other figures or other readings are shown.
   void refresh() {
     const SceneContent* content = scene_.content();
-    found_ =
-        content != nullptr ? foundPlaces(content->reconstruction->findings, kMostFound) : std::vector<FoundPlace>();
+    found_ = content != nullptr ? foundPlaces(content->reconstruction->findings, kMaxFound) : std::vector<FoundPlace>();
     updateMarks();
-    updateFigures();
+    updateMetrics();
     if (mouse_) hover(std::exchange(hovered_, SceneHit{}));
   }
 
@@ -146,13 +145,13 @@ class PatchPointing : public QObject {
   }
 
   /// Shows the figures of what is picked, whatever that is, until it is closed.
-  void setFiguresShown(bool shown) {
+  void setMetricsShown(bool shown) {
     figures_shown_ = shown;
     updateEscape();
-    updateFigures();
+    updateMetrics();
   }
 
-  [[nodiscard]] bool areFiguresShown() const { return figures_shown_; }
+  [[nodiscard]] bool areMetricsShown() const { return figures_shown_; }
   /// There is no view to return to any more: somebody has asked for another one.
   void forgetReturn() {
     stopGlide();
@@ -166,7 +165,7 @@ class PatchPointing : public QObject {
       return false;
     }
     if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
-      setFiguresShown(!figures_shown_);
+      setMetricsShown(!figures_shown_);
       return true;
     }
     const auto direction = directionOfKey(event.key());
@@ -193,7 +192,7 @@ class PatchPointing : public QObject {
       switch (event->type()) {
         case QEvent::Resize:
           marks_->setGeometry(view_->rect());
-          updateFigures();
+          updateMetrics();
           break;
         case QEvent::FocusIn: {
           const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
@@ -249,7 +248,7 @@ class PatchPointing : public QObject {
   static constexpr double kSlack_px = 6;
   static constexpr int kCardMargin = 10;
   /// Where more is wrong, the list of findings says it better.
-  static constexpr std::size_t kMostFound = 6;
+  static constexpr std::size_t kMaxFound = 6;
   /// The way of a link without its ends, where the numbers of its cells stand.
   static QPolygonF betweenNumbers(QPolygonF way) {
     constexpr double kCut = 0.55;  // of the way from the centre to the port
@@ -272,7 +271,7 @@ class PatchPointing : public QObject {
   void updateEscape() { escape_->setEnabled(!only_cells_ && (return_to_ || figures_shown_)); }
   void afterRender() {
     updateMarks();
-    placeFigures();
+    placeMetrics();
     if (mouse_ && !look_soon_.isActive()) look_soon_.start();
   }
 
@@ -330,7 +329,7 @@ class PatchPointing : public QObject {
     marks_->setContent(content);
   }
 
-  void updateFigures() {
+  void updateMetrics() {
     const Figures figures = figuresOf(picked());
     view_->setAccessibleDescription(figures.title().remove(QStringLiteral("<b>")).remove(QStringLiteral("</b>")));
     if (!figures_shown_ || figures.text.isEmpty()) {
@@ -342,12 +341,12 @@ class PatchPointing : public QObject {
       figure_card_->setContent(figures.title(), figures.value, figures.neighbors);
     }
     figure_card_->show();
-    placeFigures();
+    placeMetrics();
     placeHoverCard();
   }
 
   /// On the right, below the buttons, or on the left if it would lie over what it is about, or over the ghost.
-  void placeFigures() {
+  void placeMetrics() {
     if (!figure_card_->isVisible()) return;
     const QSize size = figure_card_->sizeFor(view_->size());
     const int top =
@@ -375,7 +374,7 @@ class PatchPointing : public QObject {
   }
 
   void goBack() {
-    setFiguresShown(false);
+    setMetricsShown(false);
     if (return_to_) glideTo(*return_to_);
     return_to_.reset();
     updateEscape();
@@ -455,10 +454,9 @@ class PatchPointing : public QObject {
         const auto value = row.of_cell(content->figures, scene_.readings(), index->second);
         const QString unit = QString::fromUtf8(row.unit);
         const QString gap = unit.isEmpty() || unit == QStringLiteral("°") ? QString() : QStringLiteral("\u00a0");
-        figures.value =
-            QStringLiteral("<b>%1: %2</b>")
-                .arg(coloringName(coloring_).toHtmlEscaped(),
-                     value ? figureInWords(*value, kDecimals) + gap + unit.toHtmlEscaped() : notKnownWord());
+        figures.value = QStringLiteral("<b>%1: %2</b>")
+                            .arg(coloringName(coloring_).toHtmlEscaped(),
+                                 value ? figureText(*value, kDecimals) + gap + unit.toHtmlEscaped() : notKnownWord());
       }
     }
     return figures;

@@ -133,7 +133,7 @@ struct PatchView::Parts : public QObject {
         [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
     layout->addWidget(canvas, 0, 0, 2, 1);
     controls = new PatchControls(view);
-    controls->setRenderer(openGlInWords(opengl));
+    controls->setRenderer(openGlText(opengl));
     layout->addWidget(controls, 0, 0);
     connectControls();
     updateControls();
@@ -222,8 +222,8 @@ struct PatchView::Parts : public QObject {
       content.gravity = scene->showsGravity();
       if (scene->showsGhost()) content.next_pose = QString::fromStdString(moment.next_turn);
       explained = legendOf(*scene, coloring);
-      content.legend = legendInWords(*explained);
-      content.notes = notesInWords(scene->notes(), overlays);
+      content.legend = legendText(*explained);
+      content.notes = notesText(scene->notes(), overlays);
       content.message = measure.words();
     }
     captions->setContent(content);
@@ -497,11 +497,11 @@ bool PatchView::isAnimating() const {
   return parts_->motion && (parts_->motion->isAnimating() || parts_->pointing->isGliding());
 }
 
-void PatchView::setFiguresShown(bool shown) {
-  if (parts_->pointing) parts_->pointing->setFiguresShown(shown);
+void PatchView::setMetricsShown(bool shown) {
+  if (parts_->pointing) parts_->pointing->setMetricsShown(shown);
 }
 
-bool PatchView::areFiguresShown() const { return parts_->pointing && parts_->pointing->areFiguresShown(); }
+bool PatchView::areMetricsShown() const { return parts_->pointing && parts_->pointing->areMetricsShown(); }
 
 void PatchView::keyPressEvent(QKeyEvent* event) {
   if (!parts_->pointing || !parts_->pointing->onKey(*event)) QWidget::keyPressEvent(event);

@@ -73,8 +73,8 @@ class PatchView : public QWidget {
   [[nodiscard]] bool isAnimating() const;
   /// Keeps a card with all figures of what is picked over the picture, and its neighbours to go to; the card follows
   /// what is picked, until Esc.
-  void setFiguresShown(bool shown);
-  [[nodiscard]] bool areFiguresShown() const;
+  void setMetricsShown(bool shown);
+  [[nodiscard]] bool areMetricsShown() const;
 
   /// Everything that was set is in the picture, or will be at its next drawing.
   [[nodiscard]] bool isUpToDate() const;

@@ -18,10 +18,10 @@ struct PatchWords {
 };
 
 /// "0.35 mm", "12.0 mm"
-QString millimetres(double length_m) { return millimetresInWords(length_m, length_m < kMillimetre ? 2 : 1); }
+QString millimetres(double length_m) { return millimetresText(length_m, length_m < kMillimetre ? 2 : 1); }
 
 /// That the patches beside the largest are drawn anywhere.
-QString notPlacedInWords(const SceneNotes& notes) {
+QString notPlacedText(const SceneNotes& notes) {
   constexpr std::size_t kNamed = 6;
   const std::vector<CellId>& origins = notes.not_placed;
   if (origins.size() > kNamed || !notes.frames) {
@@ -96,9 +96,9 @@ QString whyNotShown(SceneItem item, Availability availability) {
   }
 }
 
-QStringList notesInWords(const SceneNotes& notes, const PatchOverlays& overlays) {
+QStringList notesText(const SceneNotes& notes, const PatchOverlays& overlays) {
   QStringList lines;
-  if (!notes.not_placed.empty()) lines << notPlacedInWords(notes);
+  if (!notes.not_placed.empty()) lines << notPlacedText(notes);
   if (notes.tree) lines << PatchWords::tr("broad lines: the shortest-path tree");
   if (notes.ellipsoid_factor) lines << PatchWords::tr("ellipsoids: 95 %, %1").arg(enlarged(*notes.ellipsoid_factor));
   if (notes.truth) lines << PatchWords::tr("outlines: the truth, moved onto the result");
@@ -113,20 +113,20 @@ QStringList notesInWords(const SceneNotes& notes, const PatchOverlays& overlays)
   }
   if (const LoopEvaluation* loop = overlays.loop.get(); notes.loop_factor && loop != nullptr) {
     lines << PatchWords::tr("loop gap: %1, %2 % of the loop; the arrow %3")
-                 .arg(millimetres(loop->length_m), figureInWords(loop->percent, 1), enlarged(*notes.loop_factor));
+                 .arg(millimetres(loop->length_m), figureText(loop->percent, 1), enlarged(*notes.loop_factor));
   }
   if (notes.shift_factor) lines << PatchWords::tr("arrows: from before to now, %1").arg(enlarged(*notes.shift_factor));
   return lines;
 }
 
-QString distanceInWords(CellId a, CellId b, const std::optional<CellDistance>& distance) {
+QString distanceText(CellId a, CellId b, const std::optional<CellDistance>& distance) {
   const QString from = QString::fromStdString(toString(a));
   const QString to = QString::fromStdString(toString(b));
   if (!distance) {
     return PatchWords::tr("Cells %1 and %2 are in different patches: how these lie to each other is not known")
         .arg(from, to);
   }
-  const QString angle = degreesInWords(distance->angle_rad);
+  const QString angle = degreesText(distance->angle_rad);
   if (!distance->sigma_m) {
     return PatchWords::tr("Cells %1 and %2: %3 apart, their faces %4 to each other")
         .arg(from, to, millimetres(distance->length_m), angle);

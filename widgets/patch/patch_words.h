@@ -18,9 +18,9 @@ QString itemTip(SceneItem item);
 QString whyNotShown(SceneItem item, Availability availability);
 
 /// One line for each thing that is drawn over the cells: its name and how much it is enlarged.
-QStringList notesInWords(const SceneNotes& notes, const PatchOverlays& overlays);
+QStringList notesText(const SceneNotes& notes, const PatchOverlays& overlays);
 
 /// "Cells 3 and 7: 84.2 mm ± 1.1 mm (95 %) apart, their faces 12.3° to each other".
-QString distanceInWords(CellId a, CellId b, const std::optional<CellDistance>& distance);
+QString distanceText(CellId a, CellId b, const std::optional<CellDistance>& distance);
 
 }  // namespace hexoderm

@@ -19,7 +19,7 @@ bool isPlotted(PlotSubject subject, const ColoringRow& row) {
   return subject == PlotSubject::Links ? row.of_link != nullptr : row.of_cell != nullptr;
 }
 
-std::optional<double> valueOf(const PlotFigure& figure, const CellFigures& figures, const CellReadings& readings,
+std::optional<double> valueOf(const PlotFigure& figure, const CellMetrics& figures, const CellReadings& readings,
                               std::size_t cell) {
   if (!figure) return static_cast<double>(figures.cells[cell].value());
   return coloringRow(*figure).of_cell(figures, readings, cell);
@@ -41,7 +41,7 @@ void addPoint(PlotData& data, PlotPoint point, std::optional<double> x, std::opt
   data.points.push_back(point);
 }
 
-void addCells(const CellFigures& figures, const CellReadings& readings, PlotData& data) {
+void addCells(const CellMetrics& figures, const CellReadings& readings, PlotData& data) {
   for (std::size_t k = 0; k < figures.cells.size(); ++k) {
     const auto y = data.choice.is_histogram ? 0 : valueOf(data.choice.y, figures, readings, k);
     addPoint(data, {figures.cells[k], std::nullopt}, valueOf(data.choice.x, figures, readings, k), y);
@@ -60,7 +60,7 @@ void addLinks(const Reconstruction& reconstruction, PlotData& data) {
 
 }  // namespace
 
-std::vector<PlotFigure> plotFigures(PlotSubject subject) {
+std::vector<PlotFigure> plotMetrics(PlotSubject subject) {
   std::vector<PlotFigure> figures = {std::nullopt};
   for (const ColoringRow& row : coloringTable()) {
     if (isPlotted(subject, row)) figures.emplace_back(row.coloring);
@@ -80,11 +80,11 @@ QString plotAxisTitle(PlotSubject subject, PlotFigure figure) {
   return subject == PlotSubject::Links ? graphTitle(*figure) : patchTitle(*figure);
 }
 
-QString plotValueInWords(PlotFigure figure, double value) {
+QString plotValueText(PlotFigure figure, double value) {
   if (!figure) return QLocale().toString(value, 'f', 0);
   constexpr int kDigits = 3;
   const int before = value == 0 ? 1 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
-  const QString number = figureInWords(value, std::clamp(kDigits - before, 0, kDigits));
+  const QString number = figureText(value, std::clamp(kDigits - before, 0, kDigits));
   const QString unit = QString::fromUtf8(coloringRow(*figure).unit);
   return unit == QStringLiteral("°") || unit.isEmpty() ? number + unit : number + QChar(QChar::Nbsp) + unit;
 }
@@ -116,7 +116,7 @@ ColorRange PlotData::bounds(bool along_y) const {
   return {(*least).*value, (*largest).*value};
 }
 
-PlotData makePlotData(const Reconstruction* reconstruction, const CellFigures& figures, const CellReadings& readings,
+PlotData makePlotData(const Reconstruction* reconstruction, const CellMetrics& figures, const CellReadings& readings,
                       const PlotChoice& choice) {
   PlotData data;
   data.choice = choice;

@@ -19,12 +19,12 @@ enum class PlotSubject { Cells, Links };
 using PlotFigure = std::optional<Coloring>;
 
 /// The figures that cells or links have, in the order of their menu: the cell's number, then as in the table.
-std::vector<PlotFigure> plotFigures(PlotSubject subject);
+std::vector<PlotFigure> plotMetrics(PlotSubject subject);
 /// "position uncertainty (95 %)", and with its unit.
 QString plotFigureName(PlotSubject subject, PlotFigure figure);
 QString plotAxisTitle(PlotSubject subject, PlotFigure figure);
 /// "0.83 mm", in the user's locale.
-QString plotValueInWords(PlotFigure figure, double value);
+QString plotValueText(PlotFigure figure, double value);
 
 struct PlotPoint {
   CellId cell;                          ///< of a link the one of its source
@@ -66,7 +66,7 @@ struct PlotData {
 };
 
 /// `figures`: of the reconstruction's cells; `readings`: those that are no part of it. Null: nothing is plotted.
-PlotData makePlotData(const Reconstruction* reconstruction, const CellFigures& figures, const CellReadings& readings,
+PlotData makePlotData(const Reconstruction* reconstruction, const CellMetrics& figures, const CellReadings& readings,
                       const PlotChoice& choice);
 
 }  // namespace hexoderm

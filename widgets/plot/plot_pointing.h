@@ -73,7 +73,7 @@ class PlotPointing : public QObject {
     const PlotPoint& shown = data_.points[point];
     const PlotChoice& choice = data_.choice;
     const auto figure = [&](PlotFigure which, double value) {
-      return tr("%1: %2").arg(plotFigureName(choice.subject, which), plotValueInWords(which, value));
+      return tr("%1: %2").arg(plotFigureName(choice.subject, which), plotValueText(which, value));
     };
     QString text = shown.link ? tr("Link %1").arg(nameOf(point)) : tr("Cell %1").arg(nameOf(point));
     if (choice.x) text += QLatin1Char('\n') + figure(choice.x, shown.x);
@@ -229,8 +229,8 @@ class PlotPointing : public QObject {
       const ValueBin& shown = data_.bins[*bin];
       const QString what =
           data_.choice.subject == PlotSubject::Cells ? tr("%1 cells from %2 to %3") : tr("%1 links from %2 to %3");
-      text = what.arg(QString::number(shown.count), plotValueInWords(data_.choice.x, shown.lower),
-                      plotValueInWords(data_.choice.x, shown.upper));
+      text = what.arg(QString::number(shown.count), plotValueText(data_.choice.x, shown.lower),
+                      plotValueText(data_.choice.x, shown.upper));
     }
     if (text.isEmpty()) text = plot_->toolTip();
     if (text.isEmpty()) {

@@ -77,7 +77,7 @@ struct PlotView::Parts : public QObject {
   DressedTheme dressed{*view};
   Selection* selection;
   std::shared_ptr<const Reconstruction> reconstruction;
-  CellFigures figures;  ///< of its cells, once they are needed
+  CellMetrics figures;  ///< of its cells, once they are needed
   bool has_figures = false;
   CellReadings readings;
   /// At first what tells most at a glance: how well cells are known, farther and farther from the origin.
@@ -143,15 +143,15 @@ struct PlotView::Parts : public QObject {
   void fillBoxes() {
     is_filling = true;
     subject_box->setCurrentIndex(subject_box->findData(static_cast<int>(choice.subject)));
-    fillFigures(x_box, false, codeOf(choice.x));
-    fillFigures(y_box, true, choice.is_histogram ? kHistogram : codeOf(choice.y));
+    fillMetrics(x_box, false, codeOf(choice.x));
+    fillMetrics(y_box, true, choice.is_histogram ? kHistogram : codeOf(choice.y));
     is_filling = false;
   }
 
-  void fillFigures(QComboBox* box, bool with_histogram, int code) {
+  void fillMetrics(QComboBox* box, bool with_histogram, int code) {
     box->clear();
     if (with_histogram) box->addItem(PlotView::tr("how many (histogram)"), kHistogram);
-    for (const PlotFigure& figure : plotFigures(choice.subject)) {
+    for (const PlotFigure& figure : plotMetrics(choice.subject)) {
       box->addItem(plotAxisTitle(choice.subject, figure), codeOf(figure));
       const QString why_not = whyNot(figure);
       if (why_not.isEmpty()) continue;
@@ -198,7 +198,7 @@ struct PlotView::Parts : public QObject {
   void refresh() {
     is_stale = false;
     readings_soon.stop();
-    if (!std::exchange(has_figures, true)) figures = reconstruction ? makeCellFigures(*reconstruction) : CellFigures();
+    if (!std::exchange(has_figures, true)) figures = reconstruction ? makeCellMetrics(*reconstruction) : CellMetrics();
     fillBoxes();
     data = makePlotData(reconstruction.get(), figures, readings, choice);
     pointing.restart();

@@ -29,8 +29,8 @@
 namespace hexoderm {
 namespace {
 
-constexpr int kMostRowsInList = 6;
-constexpr double kMostLength_mm = 1e5;
+constexpr int kMaxRowsInList = 6;
+constexpr double kMaxLength_mm = 1e5;
 
 template <class Widget>
 Widget* namedField(Widget* widget, const char* object_name, const QString& accessible_name) {
@@ -40,7 +40,7 @@ Widget* namedField(Widget* widget, const char* object_name, const QString& acces
 
 QDoubleSpinBox* lengthField(const char* object_name, const QString& accessible_name, double least_mm) {
   auto* field = namedField(new QDoubleSpinBox, object_name, accessible_name);
-  field->setRange(least_mm, kMostLength_mm);
+  field->setRange(least_mm, kMaxLength_mm);
   field->setDecimals(1);
   field->setSuffix(PlacePanel::tr(" mm"));
   field->setGroupSeparatorShown(false);
@@ -64,7 +64,7 @@ class ChoiceList : public QListWidget {
     constexpr int kBesideText = 4;  // on both sides of a text, in all styles about so much
     const int width = QListWidget::width() - 2 * (frameWidth() + kBesideText);
     int height = 2 * frameWidth();
-    for (int row = 0; row < std::min(count(), kMostRowsInList); ++row) {
+    for (int row = 0; row < std::min(count(), kMaxRowsInList); ++row) {
       const QRect text = fontMetrics().boundingRect({0, 0, width, 0}, Qt::TextWordWrap, item(row)->text());
       height += text.height() + kBesideText;
     }
@@ -249,9 +249,9 @@ void PlacePanel::buildKnown() {
 
 void PlacePanel::buildPoint() {
   point_cell_ = cellField("placePointCell", tr("Cell at the known point"));
-  point_mm_ = {lengthField("placePointX", tr("x of the point in the link's frame"), -kMostLength_mm),
-               lengthField("placePointY", tr("y of the point in the link's frame"), -kMostLength_mm),
-               lengthField("placePointZ", tr("z of the point in the link's frame"), -kMostLength_mm)};
+  point_mm_ = {lengthField("placePointX", tr("x of the point in the link's frame"), -kMaxLength_mm),
+               lengthField("placePointY", tr("y of the point in the link's frame"), -kMaxLength_mm),
+               lengthField("placePointZ", tr("z of the point in the link's frame"), -kMaxLength_mm)};
   point_sigma_mm_ = lengthField("placePointSigma", tr("Uncertainty of the point, 1 sigma"), 0.1);
   point_sigma_mm_->setValue(1);
   pick_ = namedField(new QPushButton(tr("Pick in 3D")), "placePick", tr("Pick the point on the robot"));
@@ -360,7 +360,7 @@ void PlacePanel::showSheet() {
   joint_table_->setSheet(stand_.sheet);
   const int rows = joint_table_->rowCount();
   joint_view_->setVisible(rows > 0 && joint_table_->columnCount() > 0);
-  const int shown = std::min(rows, kMostRowsInList);
+  const int shown = std::min(rows, kMaxRowsInList);
   joint_view_->setFixedHeight(joint_view_->horizontalHeader()->sizeHint().height() +
                               shown * joint_view_->verticalHeader()->defaultSectionSize() +
                               joint_view_->horizontalScrollBar()->sizeHint().height() + 2 * joint_view_->frameWidth());
@@ -368,8 +368,8 @@ void PlacePanel::showSheet() {
 
 void PlacePanel::showKnown() {
   QStringList known;
-  for (const KnownPoint& point : stand_.known.points) known << pointInWords(point);
-  for (const KnownDistance& distance : stand_.known.distances) known << distanceInWords(distance);
+  for (const KnownPoint& point : stand_.known.points) known << pointText(point);
+  for (const KnownDistance& distance : stand_.known.distances) known << distanceText(distance);
   fillChoices(known_list_, known);
   by_surface_->setChecked(stand_.known.by_surface && stand_.has_surface);
   const bool has_link = !stand_.link.isEmpty();

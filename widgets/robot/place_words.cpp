@@ -15,7 +15,7 @@ struct PlaceTexts {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::PlaceOnRobot)
 };
 
-QString figure(double value) { return figureInWords(value, 1); }
+QString figure(double value) { return figureText(value, 1); }
 QString nameOf(const PatchTurn& turn) { return QString::fromStdString(turn.link); }
 
 void addChoices(const LinkCandidate& candidate, bool fits, std::vector<LinkChoice>& choices) {
@@ -41,7 +41,7 @@ std::vector<LinkChoice> linkChoices(const PatchLinks& patch) {
   return choices;
 }
 
-VerifySentence linkInWords(const PatchLinks& patch) {
+VerifySentence linkText(const PatchLinks& patch) {
   const Tone tone = patch.nearest                                   ? Tone::Bad
                     : patch.placed && patch.what_would_tell.empty() ? Tone::Good
                     : patch.candidates.empty()                      ? Tone::Bad
@@ -50,7 +50,7 @@ VerifySentence linkInWords(const PatchLinks& patch) {
 }
 
 QString placeInList(const PlaceCandidate& candidate, std::size_t number, bool chosen) {
-  QString text = PlaceTexts::tr("%1 · misfit %2").arg(number).arg(millimetresInWords(candidate.rms_m, 2));
+  QString text = PlaceTexts::tr("%1 · misfit %2").arg(number).arg(millimetresText(candidate.rms_m, 2));
   if (candidate.by_hand) text += QStringLiteral(" · ") + PlaceTexts::tr("put by hand");
   if (!candidate.fits) text += QStringLiteral(" · ") + PlaceTexts::tr("does not fit");
   const bool is_free = std::ranges::any_of(candidate.patches, [](const PlacedPatch& patch) {
@@ -60,7 +60,7 @@ QString placeInList(const PlaceCandidate& candidate, std::size_t number, bool ch
   return chosen ? QStringLiteral("✓ ") + text : text;
 }
 
-VerifySentence placesInWords(const PlaceResult& result, std::size_t row) {
+VerifySentence placesText(const PlaceResult& result, std::size_t row) {
   VerifySentence sentence;
   switch (result.verdict) {
     case PlaceVerdict::Placed:
@@ -90,14 +90,14 @@ VerifySentence placesInWords(const PlaceResult& result, std::size_t row) {
   return sentence;
 }
 
-QString pointInWords(const KnownPoint& point) {
+QString pointText(const KnownPoint& point) {
   return PlaceTexts::tr("Cell %1 at (%2, %3, %4) mm ± %5 mm")
       .arg(point.cell.value())
       .arg(figure(toMillimetres(point.x_l.x())), figure(toMillimetres(point.x_l.y())),
            figure(toMillimetres(point.x_l.z())), figure(toMillimetres(point.sigma_m)));
 }
 
-QString distanceInWords(const KnownDistance& distance) {
+QString distanceText(const KnownDistance& distance) {
   return PlaceTexts::tr("Cell %1 to cell %2: %3 mm ± %4 mm")
       .arg(distance.a.value())
       .arg(distance.b.value())

@@ -26,7 +26,7 @@ struct PlacedLabel {
 };
 
 /// Decides which cells have their IDs written on them: those whose faces look at the viewer, are large enough for the
-/// letters, and lie within the picture. Where two would cover each other, or where there are more than kMost, round
+/// letters, and lie within the picture. Where two would cover each other, or where there are more than kMax, round
 /// numbers come first, as on a ruler. The choice depends on the sight alone and not on what was chosen before, and as
 /// the skin turns an ID comes and goes but once. No Qt, no OpenGL.
 ///
@@ -34,8 +34,8 @@ struct PlacedLabel {
 class LabelChoice {
  public:
   static constexpr std::array kFonts = {8, 10, 12, 14, 16, 18, 20, 22, 24, 26};
-  static constexpr std::size_t kMost = 400;
-  static constexpr double kLeastFacing = 0.4;    ///< cosine between a face's normal and the line of sight
+  static constexpr std::size_t kMax = 400;
+  static constexpr double kMinFacing = 0.4;      ///< cosine between a face's normal and the line of sight
   static constexpr double kDigitAdvance = 0.57;  ///< share of the letters' size
 
   /// Null: there are no cells.
@@ -63,7 +63,7 @@ class LabelChoice {
     if (!anyCanBeRead(sight)) return chosen_;
     findCandidates(sight, cut);
     for (const Candidate& candidate : candidates_) {
-      if (chosen_.size() >= kMost) break;
+      if (chosen_.size() >= kMax) break;
       const Eigen::AlignedBox2d room = roomFor(candidate.label);
       if (std::ranges::any_of(taken, [&](const Eigen::AlignedBox2d& other) { return overlaps(other, room); })) continue;
       taken.push_back(room);
@@ -138,7 +138,7 @@ class LabelChoice {
       const double pixels = side_m_ * sight.scaleAt(sight.depthOf(center)) / sight.text_scale;
       if (!(kLetterShare * pixels >= smallest)) continue;
       const double facing = cells[k].T_s_u.R.col(2).dot(sight.towards(center));
-      if (facing <= kLeastFacing || (cut && cut->removes(center))) continue;
+      if (facing <= kMinFacing || (cut && cut->removes(center))) continue;
       const std::uint32_t id = cells[k].id.value();
       const double wanted = std::min(kLetterShare, kWidthShare / (LabelChoice::kDigitAdvance * digitsOf(id))) * pixels;
       if (wanted < smallest) continue;

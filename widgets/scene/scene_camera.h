@@ -165,7 +165,7 @@ class SceneCamera {
   // Shares of the window that a fitted skin fills: what covers the top and the bottom stays free.
   static constexpr double kFitWidth = 0.88;
   static constexpr double kFitHeight = 0.74;
-  static constexpr double kLeastFitHeight = 0.4;
+  static constexpr double kMinFitHeight = 0.4;
   static constexpr double kBetween = 0.02;  // between what covers top or bottom and the skin
   struct ViewDirection {
     Eigen::Vector3d from;  ///< unit, from what is looked at to the camera
@@ -322,14 +322,14 @@ class SceneCamera {
   /// Shares of the window.
   [[nodiscard]] double freeWidth() const { return around_.ghost ? kFitWidth - SceneGhost::kShare : kFitWidth; }
   [[nodiscard]] double freeHeight() const {
-    return std::max(kLeastFitHeight, 1 - freeFrom(bottom_margin_) - freeFrom(top_margin_));
+    return std::max(kMinFitHeight, 1 - freeFrom(bottom_margin_) - freeFrom(top_margin_));
   }
 
   /// The share of the window at its top or bottom where no fitted skin is, if that many pixels of it are covered.
   [[nodiscard]] double freeFrom(int margin_px) const {
-    constexpr double kLeast = 0.5 * (1 - kFitHeight);
+    constexpr double kMin = 0.5 * (1 - kFitHeight);
     const int height = around_.window[1];
-    return height <= 0 ? kLeast : std::max(kLeast, static_cast<double>(margin_px) / height + kBetween);
+    return height <= 0 ? kMin : std::max(kMin, static_cast<double>(margin_px) / height + kBetween);
   }
 
   /// Distance that a growing patch may exceed the fit by until it is fitted again, in half heights of the window.

@@ -201,9 +201,9 @@ std::vector<std::size_t> SceneLayout::notPlaced() const {
 }
 
 std::vector<std::size_t> SceneLayout::framed() const {
-  constexpr std::size_t kMost = 200;
+  constexpr std::size_t kMax = 200;
   std::vector<std::size_t> patches = notPlaced();
-  if (patches.size() > kMost) patches.clear();
+  if (patches.size() > kMax) patches.clear();
   return patches;
 }
 
@@ -232,7 +232,7 @@ std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Recon
   const Reconstruction& r = *content->reconstruction;
   content->prisms = r.cellCount() <= SceneContent::kMaxPrismCells;
   content->layout = layOut(r, content->prisms);
-  content->figures = makeCellFigures(r);
+  content->figures = makeCellMetrics(r);
   content->signs = signsOf(r);
   content->links = CellLinks(r);
   Eigen::AlignedBox3d box;

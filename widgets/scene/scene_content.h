@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hexoderm/solve/metrics/cell_figures.h"
 #include "hexoderm/solve/metrics/cell_links.h"
+#include "hexoderm/solve/metrics/cell_metrics.h"
 #include "hexoderm/solve/metrics/skin_signs.h"
 #include "hexoderm/solve/result/reconstruction.h"
 
@@ -56,7 +56,7 @@ struct SceneContent {
 
   std::shared_ptr<const Reconstruction> reconstruction;  ///< never null
   SceneLayout layout;
-  CellFigures figures;
+  CellMetrics figures;
   SkinSigns signs;
   CellLinks links;      ///< by index of the layout's cells
   double extent_m = 0;  ///< diagonal of the bounding box

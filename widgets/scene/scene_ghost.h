@@ -116,7 +116,7 @@ class SceneGhost {
 
   /// Its place in a window of this size: left, bottom, right and top, from the lower left.
   static std::array<double, 4> placeIn(double width, double height) {
-    const double side = std::min(kShare * width, kMostHeight * height);
+    const double side = std::min(kShare * width, kMaxHeight * height);
     const double right = (1 - kBesideEdge) * width;
     const double bottom = kMiddleHeight * height - 0.5 * side;
     return {right - side, bottom, right, bottom + side};
@@ -127,7 +127,7 @@ class SceneGhost {
   static constexpr int kDashesPerSide = 4;
   static constexpr double kMargin = 1.06;        // around the patch
   static constexpr double kMiddleHeight = 0.55;  // share of the window's height
-  static constexpr double kMostHeight = 0.56;
+  static constexpr double kMaxHeight = 0.56;
   static constexpr double kBesideEdge = 0.02;
 
   [[nodiscard]] bool isArrow() const { return cells_ > kMaxCells; }

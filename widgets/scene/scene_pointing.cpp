@@ -8,9 +8,9 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kLeastSide_px = 12;   // of a cell whose links can be aimed at
-constexpr double kFromPort = 0.7;      // where a link begins to be hit, as a share of the way from centre to port
-constexpr double kLeastFacing = 0.15;  // cosine between a face and the line of sight
+constexpr double kMinSide_px = 12;   // of a cell whose links can be aimed at
+constexpr double kFromPort = 0.7;    // where a link begins to be hit, as a share of the way from centre to port
+constexpr double kMinFacing = 0.15;  // cosine between a face and the line of sight
 
 double turnAtCorner(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x();
@@ -72,7 +72,7 @@ SceneHit hitAt(PatchScene& scene, const Eigen::Vector2d& pixel, double slack_px)
     const auto index = content->layout.index.find(id);
     if (index == content->layout.index.end()) continue;
     const Eigen::Vector3d& center = content->layout.cells[index->second].T_s_u.t;
-    if (content->reconstruction->model->side_m * sight.scaleAt(sight.depthOf(center)) < kLeastSide_px) continue;
+    if (content->reconstruction->model->side_m * sight.scaleAt(sight.depthOf(center)) < kMinSide_px) continue;
     for (const LinkEstimate* link : content->links.of(index->second)) {
       const auto way = waypointsOfLink(*content, link->source, link->target);
       if (way.empty() || !std::ranges::all_of(way, [&](const auto& point) { return sight.isAhead(point); })) continue;
@@ -100,7 +100,7 @@ std::optional<SeenCell> seenCell(PatchScene& scene, CellId id) {
   }
   seen.outline = hullOf(std::move(corners));
   seen.center = sight.at(cell->T_s_u.t);
-  const bool faces = cell->T_s_u.R.col(2).dot(sight.towards(cell->T_s_u.t)) > kLeastFacing;
+  const bool faces = cell->T_s_u.R.col(2).dot(sight.towards(cell->T_s_u.t)) > kMinFacing;
   seen.is_seen = faces && scene.pick(seen.center.x(), seen.center.y()) == id;
   return seen;
 }

@@ -9,7 +9,7 @@ namespace hexoderm {
 QString ColumnTable::inWords(const Column& column, const QVariant& value) {
   if (!value.isValid()) return noValue();
   const bool is_real = !column.is_text && value.userType() == QMetaType::Double;
-  return is_real ? figureInWords(value.toDouble(), column.decimals) + column.sign : value.toString();
+  return is_real ? figureText(value.toDouble(), column.decimals) + column.sign : value.toString();
 }
 
 int ColumnTable::columnCount(const QModelIndex& parent) const {

@@ -24,7 +24,7 @@ class FindingTable : public ReconstructionTable {
     Column severity = column(tr("Severity"), [](const Finding& finding) { return severityWord(finding.severity); });
     severity.decoration = [this](int row) { return severityMark(findingAt(row).severity); };
     setColumns({severity, column(tr("What"), [](const Finding& finding) { return words(finding.message); }),
-                column(tr("Where"), [](const Finding& finding) { return placeInWords(finding); })});
+                column(tr("Where"), [](const Finding& finding) { return placeText(finding); })});
   }
 
   [[nodiscard]] const Finding& findingAt(int row) const {

@@ -52,9 +52,9 @@ QList<QStringList> cellsOfBlock(const QString& block) {
   return cells;
 }
 
-QString limitsInWords(const RobotJoint& joint) {
+QString limitsText(const RobotJoint& joint) {
   const auto figure = [&](double position) {
-    return figureInWords(position / unitOf(joint), 1) + (slides(joint) ? QStringLiteral(" mm") : QStringLiteral("°"));
+    return figureText(position / unitOf(joint), 1) + (slides(joint) ? QStringLiteral(" mm") : QStringLiteral("°"));
   };
   return JointTable::tr("between %1 and %2").arg(figure(joint.limits->lower), figure(joint.limits->upper));
 }
@@ -152,7 +152,7 @@ QVariant JointTable::data(const QModelIndex& index, int role) const {
   constexpr int kDecimals = 2;
   switch (role) {
     case Qt::DisplayRole:
-      return position ? figureInWords(*position / unitOf(joint), kDecimals) : QString();
+      return position ? figureText(*position / unitOf(joint), kDecimals) : QString();
     case Qt::EditRole:
       return textAt(index);
     case kRawRole:
@@ -204,7 +204,7 @@ bool JointTable::read(const QModelIndex& index, const QString& text, std::vector
     return false;
   }
   const double position = *number * unitOf(joint);
-  if (std::abs(position) > kMostJointPosition) {
+  if (std::abs(position) > kMaxJointPosition) {
     emit refused(tr("%1 is no position of joint %2.").arg(trimmed, name));
     return false;
   }
@@ -228,8 +228,7 @@ QVariant JointTable::headerData(int section, Qt::Orientation orientation, int ro
     case kUnitRole:
       return slides(joint) ? QStringLiteral("mm") : QStringLiteral("deg");
     case Qt::ToolTipRole:
-      return joint.limits ? tr("Joint %1, %2").arg(name, limitsInWords(joint))
-                          : tr("Joint %1, without limits").arg(name);
+      return joint.limits ? tr("Joint %1, %2").arg(name, limitsText(joint)) : tr("Joint %1, without limits").arg(name);
     default:
       return {};
   }

@@ -20,9 +20,9 @@ LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
                   .sign = QStringLiteral("°"),
                   .value = [this, value_rad](int row) { return rawDegrees(value_rad(linkAt(row))); }};
   };
-  const auto ofFigures = [](double LinkEstimate::*angle_rad) {
+  const auto ofMetrics = [](double LinkEstimate::*angle_rad) {
     return [angle_rad](const LinkEstimate& link) {
-      return link.hasFigures() ? std::optional(link.*angle_rad) : std::nullopt;
+      return link.hasMetrics() ? std::optional(link.*angle_rad) : std::nullopt;
     };
   };
   Column name =
@@ -30,10 +30,10 @@ LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
   name.spoken = [this](int row) { return longLinkName(linkAt(row)); };
   Column quality = text(
       tr("Quality"), tr("How well the poses determine the link's rotation"),
-      [](const LinkEstimate& link) { return link.hasFigures() ? QVariant(qualityWord(link.quality)) : QVariant(); });
+      [](const LinkEstimate& link) { return link.hasMetrics() ? QVariant(qualityWord(link.quality)) : QVariant(); });
   quality.decoration = [this](int row) {
     const LinkEstimate& link = linkAt(row);
-    return link.hasFigures() ? QVariant(strokeMark(link.quality)) : QVariant();
+    return link.hasMetrics() ? QVariant(strokeMark(link.quality)) : QVariant();
   };
   setColumns({name, quality,
               angle(tr("Residual"),
@@ -42,11 +42,11 @@ LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
                     [](const LinkEstimate& link) { return link.knownResidual(); }),
               angle(tr("Predicted"), tr("Expected standard deviation of the link's rotation about its worst axis"),
                     [](const LinkEstimate& link) { return link.knownSigma(); }),
-              angle(tr("Bend"), tr("Angle by which the surface folds at the link"), ofFigures(&LinkEstimate::bend_rad)),
+              angle(tr("Bend"), tr("Angle by which the surface folds at the link"), ofMetrics(&LinkEstimate::bend_rad)),
               angle(tr("Twist"), tr("Angle by which the cells are turned about the line that joins them"),
-                    ofFigures(&LinkEstimate::twist_rad)),
+                    ofMetrics(&LinkEstimate::twist_rad)),
               angle(tr("Yaw"), tr("Angle by which the cells are turned within the surface"),
-                    ofFigures(&LinkEstimate::yaw_rad)),
+                    ofMetrics(&LinkEstimate::yaw_rad)),
               text(tr("State"), tr("Whether the link is used, and whether it lies on the shortest-path tree"),
                    [](const LinkEstimate& link) {
                      if (link.muted_by == FindingCode::LinkSetAside) return tr("set aside");

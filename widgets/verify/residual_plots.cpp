@@ -33,7 +33,7 @@ namespace hexoderm {
 namespace {
 
 /// A residual of nothing at all has to stand somewhere on a log scale.
-constexpr double kLeast_deg = 0.001;
+constexpr double kMin_deg = 0.001;
 
 /// Numbers of poses instead of places in a list.
 class PoseScale : public QwtScaleDraw {
@@ -106,7 +106,7 @@ void drawBoxes(const std::vector<PoseResiduals>& poses, QPainter& painter, const
 void drawRanks(const std::vector<RankedLink>& links, QPainter& painter, const QwtScaleMap& x, const QwtScaleMap& y,
                const Colors& colors) {
   const auto pointOf = [&](std::size_t k, double angle_rad) {
-    return QPointF(x.transform(static_cast<double>(k + 1)), y.transform(std::max(kLeast_deg, toDegrees(angle_rad))));
+    return QPointF(x.transform(static_cast<double>(k + 1)), y.transform(std::max(kMin_deg, toDegrees(angle_rad))));
   };
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(colors.text_muted, 1));
@@ -253,9 +253,9 @@ void ResidualPlots::showEvent(QShowEvent* event) {
 void ResidualPlots::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   // As many numbers as fit above each other; headings and the lower axis take about four lines.
-  constexpr int kMost = 6;
+  constexpr int kMax = 6;
   const int line = fontMetrics().height();
-  const int steps = std::clamp((height() - 4 * line) / (2 * line), 1, kMost);
+  const int steps = std::clamp((height() - 4 * line) / (2 * line), 1, kMax);
   for (QwtPlot* plot : parts_->plots) {
     plot->setAxisMaxMajor(QwtPlot::yLeft, steps);
     plot->replot();
@@ -283,7 +283,7 @@ void ResidualPlots::refresh() {
     lowest_deg = std::min(lowest_deg, predicted_deg);
     highest_deg = std::max(highest_deg, predicted_deg);
   }
-  lowest_deg = std::max(kLeast_deg, lowest_deg);
+  lowest_deg = std::max(kMin_deg, lowest_deg);
   parts.ranked->setBounds({0.5, lowest_deg, link_count, std::max(lowest_deg, highest_deg) - lowest_deg});
   parts.link_plot->setAxisScale(QwtPlot::xBottom, 0.5, link_count + 0.5);
 

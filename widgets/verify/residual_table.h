@@ -55,7 +55,7 @@ class ResidualTable : public LinkRowTable {
       columns.push_back({.name = name, .unit = QStringLiteral("deg"), .explanation = explanation, .decimals = 2});
       columns.back().value = [this, residual](int row) { return rawDegrees(residual(linkAt(row))); };
       columns.back().spoken = [this, residual, spoken](int row) {
-        return spoken.arg(longLinkName(linkAt(row)), degreesInWords(residual(linkAt(row))));
+        return spoken.arg(longLinkName(linkAt(row)), degreesText(residual(linkAt(row))));
       };
     };
     add(tr("All"), tr("Rms over the poses, degrees"), tr("%1, all poses: %2"),

@@ -39,8 +39,8 @@ std::optional<SurfaceEvaluation> largestOf(const std::vector<SurfaceEvaluation>&
 
 /// A length in millimetres, which is typed in place of `unknown`.
 void setUpLength(QDoubleSpinBox* field, int decimals, const QString& unknown) {
-  constexpr double kMost_mm = 100000;
-  field->setRange(0, kMost_mm);
+  constexpr double kMax_mm = 100000;
+  field->setRange(0, kMax_mm);
   field->setDecimals(decimals);
   field->setSuffix(VerifyPanel::tr(" mm"));
   field->setSpecialValueText(unknown);
@@ -86,7 +86,7 @@ VerifyPanel::VerifyPanel(Selection* selection, QWidget* parent)
   }
   // What it said was about other poses.
   connect(old_, &VerifySection::cancelled, this, [this] {
-    old_->setFigures({});
+    old_->setMetrics({});
     old_->setSentence({Tone::Neutral, tr("Cancelled.")});
   });
   connect(loop_, &VerifySection::rowPicked, this, [this](int row) {
@@ -119,7 +119,7 @@ void VerifyPanel::buildHoldOut() {
   by_link_ = addChoice(group, rows, "holdOutByLink", tr("By link"));
   for (QToolButton* button : {by_cell_, by_link_}) {
     button->hide();
-    connect(button, &QToolButton::clicked, this, &VerifyPanel::showHoldOutFigures);
+    connect(button, &QToolButton::clicked, this, &VerifyPanel::showHoldOutMetrics);
   }
   by_cell_->setChecked(true);
   rows->addStretch();
@@ -190,7 +190,7 @@ void VerifyPanel::checkCaliper() {
     return;
   }
   try {
-    caliper_->setSentence(distanceCheckInWords(
+    caliper_->setSentence(distanceCheckText(
         checkDistance(*reconstruction_, cellIn(first_), cellIn(second_), distance_mm_->value() * kMillimetre)));
   } catch (const InvalidArgument& error) {
     caliper_->setSentence({Tone::Caution, words(error)});
@@ -268,7 +268,7 @@ void VerifyPanel::setReconstruction(std::shared_ptr<const Reconstruction> recons
   if (changed && hold_out_result_) {
     hold_out_result_.reset();
     hold_out_outdated_ = true;
-    showHoldOutFigures();
+    showHoldOutMetrics();
   }
   if (!reconstruction_) hold_out_outdated_ = false;
   const QVariant chosen = pose_->currentData();
@@ -377,21 +377,21 @@ void VerifyPanel::setRunning(VerifyCheck check, bool running) {
 void VerifyPanel::showHoldOut(const HoldOutResult& result) {
   hold_out_result_ = result;
   hold_out_outdated_ = false;
-  hold_out_->setSentence(holdOutInWords(result));
-  showHoldOutFigures();
+  hold_out_->setSentence(holdOutText(result));
+  showHoldOutMetrics();
 }
 
-void VerifyPanel::showHoldOutFigures() {
+void VerifyPanel::showHoldOutMetrics() {
   const bool any = hold_out_result_ && !hold_out_result_->cells.empty();
   by_cell_->setVisible(any);
   by_link_->setVisible(any);
-  hold_out_->setFigures(any ? holdOutFigures(*hold_out_result_, by_link_->isChecked()) : VerifyFigures());
+  hold_out_->setMetrics(any ? holdOutMetrics(*hold_out_result_, by_link_->isChecked()) : VerifyMetrics());
 }
 
 void VerifyPanel::showLoops(const std::vector<FoundLoop>& loops) {
   loops_ = loops;
-  loop_->setSentence(loopsInWords(loops, reconstruction_ ? reconstruction_->patches.size() : 0));
-  loop_->setFigures(loopFigures(loops));
+  loop_->setSentence(loopsText(loops, reconstruction_ ? reconstruction_->patches.size() : 0));
+  loop_->setMetrics(loopMetrics(loops));
   // Open loops are looked at first; nothing is drawn of a sheet with hundreds of closed ones until one is picked.
   const bool open = !loops.empty() && !loops.front().closed;
   emit loopShown(open ? std::optional(loops.front().closure) : std::nullopt);
@@ -403,7 +403,7 @@ void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, c
   VerifySentence all;
   QStringList texts;
   for (const SurfaceEvaluation& surface : surfaces) {
-    const VerifySentence sentence = surfaceInWords(surface, stated);
+    const VerifySentence sentence = surfaceText(surface, stated);
     all.tone = std::max(all.tone, sentence.tone);
     texts << (surfaces.size() + static_cast<std::size_t>(remarks.size()) > 1
                   ? tr("Patch %1. %2").arg(surface.patch.value() + 1).arg(sentence.text)
@@ -412,25 +412,25 @@ void VerifyPanel::showSurfaces(const std::vector<SurfaceEvaluation>& surfaces, c
   if (!remarks.isEmpty()) all.tone = std::max(all.tone, Tone::Caution);
   all.text = (texts + remarks).join(QLatin1Char('\n'));
   surface_->setSentence(all);
-  surface_->setFigures(surfaceFigures(surfaces));
+  surface_->setMetrics(surfaceMetrics(surfaces));
   emit surfaceShown(largestOf(surfaces));
 }
 
 void VerifyPanel::showComparison(const std::vector<Comparison>& comparisons, const QString& against) {
-  comparison_->setSentence(comparisonInWords(comparisons, against));
-  comparison_->setFigures(comparisonFigures(comparisons));
+  comparison_->setSentence(comparisonText(comparisons, against));
+  comparison_->setMetrics(comparisonMetrics(comparisons));
   emit comparisonShown(comparisons);
 }
 
 void VerifyPanel::showOldCalibration(const CalibrationCheck& check, const QString& calibration) {
   if (!reconstruction_) return;
-  old_->setSentence(oldCalibrationInWords(check, calibration));
-  old_->setFigures(oldCalibrationFigures(check, *reconstruction_));
+  old_->setSentence(oldCalibrationText(check, calibration));
+  old_->setMetrics(oldCalibrationMetrics(check, *reconstruction_));
 }
 
 void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
   VerifySection* section = sectionOf(check);
-  section->setFigures({});
+  section->setMetrics({});
   section->setSentence({Tone::Bad, message});
   forget(check);
 }
@@ -439,7 +439,7 @@ void VerifyPanel::showFailure(VerifyCheck check, const QString& message) {
 void VerifyPanel::forget(VerifyCheck check) {
   if (check == VerifyCheck::HoldOut) {
     hold_out_result_.reset();
-    showHoldOutFigures();
+    showHoldOutMetrics();
   } else if (check == VerifyCheck::Loops) {
     loops_.clear();
     emit loopShown(std::nullopt);

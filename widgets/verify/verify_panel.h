@@ -92,7 +92,7 @@ class VerifyPanel : public QWidget {
   void checkCaliper();
   void refreshControls();
   [[nodiscard]] std::size_t otherPoses() const;
-  void showHoldOutFigures();
+  void showHoldOutMetrics();
   void forget(VerifyCheck check);
 
   std::shared_ptr<const Reconstruction> reconstruction_;

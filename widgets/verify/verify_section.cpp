@@ -86,7 +86,7 @@ void VerifySection::setSentence(const VerifySentence& sentence) {
   paintSentence();
 }
 
-void VerifySection::setFigures(VerifyFigures figures) {
+void VerifySection::setMetrics(VerifyMetrics figures) {
   table_->setContent(std::move(figures.columns), std::move(figures.rows));
   const int rows = table_->rowCount();
   view_->setVisible(rows > 0);
@@ -94,15 +94,15 @@ void VerifySection::setFigures(VerifyFigures figures) {
   constexpr int kColumnsThatFit = 3;
   const bool fits = table_->columnCount() <= kColumnsThatFit;
   view_->horizontalHeader()->setSectionResizeMode(fits ? QHeaderView::Stretch : QHeaderView::ResizeToContents);
-  constexpr int kMostRowsSeen = 8;
-  const int shown = std::min(rows, kMostRowsSeen);
+  constexpr int kMaxRowsSeen = 8;
+  const int shown = std::min(rows, kMaxRowsSeen);
   const int bar = view_->horizontalScrollBar()->sizeHint().height();
   view_->setFixedHeight(view_->horizontalHeader()->sizeHint().height() +
                         shown * view_->verticalHeader()->defaultSectionSize() + bar);
 }
 
 void VerifySection::clear() {
-  setFigures({});
+  setMetrics({});
   setSentence({});
 }
 

@@ -30,7 +30,7 @@ class VerifySection : public QFrame {
   QHBoxLayout* addRow(std::initializer_list<QWidget*> controls = {});
   void setSentence(const VerifySentence& sentence);
   /// No rows: no table.
-  void setFigures(VerifyFigures figures);
+  void setMetrics(VerifyMetrics figures);
   /// Says and shows nothing.
   void clear();
   /// Shows that it is being worked on, with a button to cancel that, once it takes longer than a blink.

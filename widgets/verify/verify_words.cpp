@@ -17,9 +17,9 @@ struct VerifyTexts {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::Verify)
 };
 
-QString degrees(double angle_rad) { return figureInWords(toDegrees(angle_rad), 2) + QStringLiteral("°"); }
-QString millimetres(double length_m) { return millimetresInWords(length_m, 2); }
-QString percent(double value) { return figureInWords(value, 1) + QStringLiteral(" %"); }
+QString degrees(double angle_rad) { return figureText(toDegrees(angle_rad), 2) + QStringLiteral("°"); }
+QString millimetres(double length_m) { return millimetresText(length_m, 2); }
+QString percent(double value) { return figureText(value, 1) + QStringLiteral(" %"); }
 
 QVariant inMillimetres(std::optional<double> length_m) {
   return length_m ? QVariant(toMillimetres(*length_m)) : QVariant();
@@ -41,7 +41,7 @@ Column textColumn(const QString& name, const QString& explanation) {
 }
 
 /// "Cylinder, radius 50.30 mm"
-QString formInWords(const SurfaceEvaluation& surface) {
+QString formText(const SurfaceEvaluation& surface) {
   const QString kind = surfaceKindWord(surface.kind);
   if (!surface.radius_m) return kind;
   return surface.half_angle_rad ? VerifyTexts::tr("%1, half angle %2, radius %3 at its middle")
@@ -58,7 +58,7 @@ int rankInList(const CheckedCell& cell) { return isChanged(cell) ? 0 : cell.chan
 
 }  // namespace
 
-VerifySentence holdOutInWords(const HoldOutResult& result) {
+VerifySentence holdOutText(const HoldOutResult& result) {
   switch (result.outcome) {
     case HoldOutOutcome::TooFewPoses:
       return {
@@ -85,7 +85,7 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
   if (result.turned) {
     more += QLatin1Char(' ') +
             VerifyTexts::tr("The part turned while it was read: %1 rad/s², of a still hand %2 are expected.")
-                .arg(figureInWords(result.turning_rad_s2, 1), figureInWords(result.expected_turning_rad_s2, 1));
+                .arg(figureText(result.turning_rad_s2, 1), figureText(result.expected_turning_rad_s2, 1));
   }
   switch (result.agreement) {
     case HoldOutAgreement::AsStated:
@@ -105,10 +105,10 @@ VerifySentence holdOutInWords(const HoldOutResult& result) {
                          .arg(figures, more)};
 }
 
-VerifyFigures holdOutFigures(const HoldOutResult& result, bool by_link) {
+VerifyMetrics holdOutMetrics(const HoldOutResult& result, bool by_link) {
   const Column expected = degreeColumn(VerifyTexts::tr("Expected"),
                                        VerifyTexts::tr("What the stated uncertainties lead one to expect, rms"));
-  VerifyFigures figures;
+  VerifyMetrics figures;
   if (by_link) {
     figures.columns = {textColumn(VerifyTexts::tr("Link"), VerifyTexts::tr("Cell and port of both ends")),
                        degreeColumn(VerifyTexts::tr("Error °"),
@@ -135,7 +135,7 @@ VerifyFigures holdOutFigures(const HoldOutResult& result, bool by_link) {
   return figures;
 }
 
-VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches) {
+VerifySentence loopsText(const std::vector<FoundLoop>& loops, std::size_t patches) {
   if (loops.empty()) {
     return {
         Tone::Neutral,
@@ -172,8 +172,8 @@ VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t pat
   return {tone, sentences.join(QLatin1Char(' '))};
 }
 
-VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
-  VerifyFigures figures;
+VerifyMetrics loopMetrics(const std::vector<FoundLoop>& loops) {
+  VerifyMetrics figures;
   figures.columns = {
       textColumn(VerifyTexts::tr("Between"), VerifyTexts::tr("The two ports at which the loop is closed, or open")),
       millimetreColumn(VerifyTexts::tr("Gap mm"),
@@ -203,11 +203,11 @@ VerifyFigures loopFigures(const std::vector<FoundLoop>& loops) {
   return figures;
 }
 
-VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m) {
+VerifySentence surfaceText(const SurfaceEvaluation& surface, std::optional<double> stated_m) {
   const std::size_t worst = surface.furthest();
   QStringList sentences;
   sentences << VerifyTexts::tr("%1: %2 cell centres lie within %3 (rms) of it; the worst is cell %4, %5.")
-                   .arg(formInWords(surface))
+                   .arg(formText(surface))
                    .arg(surface.cells.size())
                    .arg(millimetres(surface.rms_m))
                    .arg(surface.cells.at(worst).value())
@@ -218,7 +218,7 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
     sentences << VerifyTexts::tr(
                      "But it is not this surface: the cells are tilted against it by %1 (rms). Positions and tilts "
                      "together fit another one better: %2, with %3.")
-                     .arg(degrees(surface.tilt_rms_rad), formInWords(*surface.better),
+                     .arg(degrees(surface.tilt_rms_rad), formText(*surface.better),
                           degrees(surface.better->tilt_rms_rad));
   } else if (stated_m) {
     const bool within = surface.liesWithin(*stated_m);
@@ -237,8 +237,8 @@ VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<do
   return {tone, sentences.join(QLatin1Char(' '))};
 }
 
-VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
-  VerifyFigures figures;
+VerifyMetrics surfaceMetrics(const std::vector<SurfaceEvaluation>& surfaces) {
+  VerifyMetrics figures;
   figures.columns = {
       cellColumn(),
       millimetreColumn(VerifyTexts::tr("Distance mm"), VerifyTexts::tr("From the surface; positive outside of it")),
@@ -254,10 +254,10 @@ VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces) {
   return figures;
 }
 
-VerifySentence distanceCheckInWords(const DistanceCheck& check) {
+VerifySentence distanceCheckText(const DistanceCheck& check) {
   const QString cells = VerifyTexts::tr("Cells %1 and %2").arg(check.first.value()).arg(check.second.value());
-  const QString measured = millimetresInWords(check.measured_m, 1);
-  const QString estimated = millimetresInWords(check.estimated_m, 1);
+  const QString measured = millimetresText(check.measured_m, 1);
+  const QString estimated = millimetresText(check.estimated_m, 1);
   if (!check.sigma_m || !check.deviations || !check.detectable_scale) {
     return {Tone::Neutral,
             VerifyTexts::tr("%1: %2 measured, %3 estimated; no uncertainty is stated to compare them by.")
@@ -265,8 +265,8 @@ VerifySentence distanceCheckInWords(const DistanceCheck& check) {
   }
   const QString figures =
       VerifyTexts::tr("%1: %2 measured, %3 estimated; they differ by %4, and %5 are expected (1 sigma).")
-          .arg(cells, measured, estimated, millimetresInWords(std::abs(check.measured_m - check.estimated_m), 1),
-               millimetresInWords(*check.sigma_m, 1));
+          .arg(cells, measured, estimated, millimetresText(std::abs(check.measured_m - check.estimated_m), 1),
+               millimetresText(*check.sigma_m, 1));
   switch (check.agreement) {
     case DistanceAgreement::NotStated:
       break;
@@ -285,7 +285,7 @@ VerifySentence distanceCheckInWords(const DistanceCheck& check) {
   return {Tone::Neutral, figures};
 }
 
-VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against) {
+VerifySentence comparisonText(const std::vector<Comparison>& comparisons, const QString& against) {
   if (comparisons.empty())
     return {Tone::Bad, VerifyTexts::tr("%1 has no cell in common with this calibration.").arg(against)};
   const ComparisonSummary summary = summariseComparisons(comparisons);
@@ -313,8 +313,8 @@ VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, con
           VerifyTexts::tr("Further apart than what was stated for 95 % of cells. %1 %2").arg(figures, counts)};
 }
 
-VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
-  VerifyFigures figures;
+VerifyMetrics comparisonMetrics(const std::vector<Comparison>& comparisons) {
+  VerifyMetrics figures;
   figures.columns = {
       cellColumn(),
       millimetreColumn(VerifyTexts::tr("Moved mm"), VerifyTexts::tr("Distance between the two, after alignment")),
@@ -337,7 +337,7 @@ VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons) {
   return figures;
 }
 
-VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QString& calibration) {
+VerifySentence oldCalibrationText(const CalibrationCheck& check, const QString& calibration) {
   QStringList sentences;
   for (const Message* said : {&check.summary, &check.advice}) {
     if (!said->empty()) sentences << words(*said);
@@ -354,8 +354,8 @@ VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QStrin
   return {tone, sentences.join(QLatin1Char(' '))};
 }
 
-VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconstruction& today) {
-  VerifyFigures figures;
+VerifyMetrics oldCalibrationMetrics(const CalibrationCheck& check, const Reconstruction& today) {
+  VerifyMetrics figures;
   figures.columns = {
       cellColumn(), textColumn(VerifyTexts::tr("Now"), VerifyTexts::tr("What became of the cell, with 1 sigma")),
       degreeColumn(VerifyTexts::tr("Turned °"), VerifyTexts::tr("The turn that explains best what the cell reads")),

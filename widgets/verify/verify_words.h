@@ -17,30 +17,30 @@ struct VerifySentence {
   Tone tone = Tone::Neutral;
   QString text;
 };
-struct VerifyFigures {
+struct VerifyMetrics {
   std::vector<ResultTable::Column> columns;
   std::vector<ResultTable::Row> rows;
 };
 
-VerifySentence holdOutInWords(const HoldOutResult& result);
+VerifySentence holdOutText(const HoldOutResult& result);
 /// Of its cells, or `by_link`.
-VerifyFigures holdOutFigures(const HoldOutResult& result, bool by_link);
+VerifyMetrics holdOutMetrics(const HoldOutResult& result, bool by_link);
 
 /// `patches`: how many there are to have loops in.
-VerifySentence loopsInWords(const std::vector<FoundLoop>& loops, std::size_t patches);
-VerifyFigures loopFigures(const std::vector<FoundLoop>& loops);
+VerifySentence loopsText(const std::vector<FoundLoop>& loops, std::size_t patches);
+VerifyMetrics loopMetrics(const std::vector<FoundLoop>& loops);
 
 /// `stated_m`: what the calibration states for positions with 95 %.
-VerifySentence surfaceInWords(const SurfaceEvaluation& surface, std::optional<double> stated_m);
-VerifyFigures surfaceFigures(const std::vector<SurfaceEvaluation>& surfaces);
+VerifySentence surfaceText(const SurfaceEvaluation& surface, std::optional<double> stated_m);
+VerifyMetrics surfaceMetrics(const std::vector<SurfaceEvaluation>& surfaces);
 
-VerifySentence distanceCheckInWords(const DistanceCheck& check);
+VerifySentence distanceCheckText(const DistanceCheck& check);
 
-VerifySentence comparisonInWords(const std::vector<Comparison>& comparisons, const QString& against);
-VerifyFigures comparisonFigures(const std::vector<Comparison>& comparisons);
+VerifySentence comparisonText(const std::vector<Comparison>& comparisons, const QString& against);
+VerifyMetrics comparisonMetrics(const std::vector<Comparison>& comparisons);
 
-VerifySentence oldCalibrationInWords(const CalibrationCheck& check, const QString& calibration);
+VerifySentence oldCalibrationText(const CalibrationCheck& check, const QString& calibration);
 /// The cells that changed come first. A cell that is none of `today` can't be picked.
-VerifyFigures oldCalibrationFigures(const CalibrationCheck& check, const Reconstruction& today);
+VerifyMetrics oldCalibrationMetrics(const CalibrationCheck& check, const Reconstruction& today);
 
 }  // namespace hexoderm

@@ -34,29 +34,29 @@ QString asToolTip(const QString& title, const QStringList& lines) {
 /// Names the first few of many, so that a row stays a row.
 template <class Id>
 QString listOf(const std::vector<Id>& ids, const QString& one, const QString& several) {
-  constexpr std::size_t kMost = 6;
+  constexpr std::size_t kMax = 6;
   QStringList names;
-  for (std::size_t k = 0; k < std::min(ids.size(), kMost); ++k) names << QString::number(ids[k].value());
+  for (std::size_t k = 0; k < std::min(ids.size(), kMax); ++k) names << QString::number(ids[k].value());
   QString text = (ids.size() == 1 ? one : several).arg(names.join(QStringLiteral(", ")));
-  if (ids.size() > kMost) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMost);
+  if (ids.size() > kMax) text += QStringLiteral(" ") + Words::tr("and %1 more").arg(ids.size() - kMax);
   return text;
 }
 
 /// "12.3; −4.0; 0.2": a comma is a decimal point in some languages.
 QString threeNumbers(const Eigen::Vector3d& vector, int decimals) {
   QStringList numbers;
-  for (const double value : vector) numbers << figureInWords(value, decimals);
+  for (const double value : vector) numbers << figureText(value, decimals);
   return numbers.join(QStringLiteral("; "));
 }
 
 /// "1 → 2 → 6 → 10", its middle left out if it is long.
-QString pathInWords(const std::vector<CellId>& path) {
-  constexpr std::size_t kMostAtEachEnd = 4;
+QString pathText(const std::vector<CellId>& path) {
+  constexpr std::size_t kMaxAtEachEnd = 4;
   QStringList cells;
   for (std::size_t k = 0; k < path.size(); ++k) {
-    if (path.size() > 2 * kMostAtEachEnd + 1 && k == kMostAtEachEnd) {
+    if (path.size() > 2 * kMaxAtEachEnd + 1 && k == kMaxAtEachEnd) {
       cells << QStringLiteral("…");
-      k = path.size() - kMostAtEachEnd;
+      k = path.size() - kMaxAtEachEnd;
     }
     cells << QString::number(path[k].value());
   }
@@ -67,20 +67,20 @@ QString pathInWords(const std::vector<CellId>& path) {
 
 /// "Residual in pose 1: 0.3°, 2: 0.4°"; of many poses the worst. Empty if there are none.
 QString poseResiduals(const Reconstruction& reconstruction, const LinkEstimate& link) {
-  constexpr std::size_t kMost = 6;
+  constexpr std::size_t kMax = 6;
   std::vector<std::pair<double, PoseId>> known;
   for (std::size_t k = 0; k < std::min(link.pose_residual_rad.size(), reconstruction.poses.size()); ++k) {
     if (link.pose_residual_rad[k]) known.emplace_back(*link.pose_residual_rad[k], reconstruction.poses[k].pose);
   }
   if (known.empty()) return {};
-  const bool too_many = known.size() > kMost;
+  const bool too_many = known.size() > kMax;
   if (too_many) {
     std::ranges::sort(known, [](const auto& a, const auto& b) { return a.first > b.first; });
-    known.resize(kMost);
+    known.resize(kMax);
   }
   QStringList poses;
   for (const auto& [angle_rad, pose] : known) {
-    poses << QStringLiteral("%1: %2").arg(pose.value()).arg(degreesInWords(angle_rad));
+    poses << QStringLiteral("%1: %2").arg(pose.value()).arg(degreesText(angle_rad));
   }
   return (too_many ? Words::tr("Residual in the worst poses %1") : Words::tr("Residual in pose %1"))
       .arg(poses.join(QStringLiteral(", ")));
@@ -95,7 +95,7 @@ QString unbroken(QString text) {
   return text.replace(kUnit, QStringLiteral("\\1\u00a0"));
 }
 
-QString figureInWords(double value, int decimals) {
+QString figureText(double value, int decimals) {
   // "-0.0" would be a sign without a meaning.
   const double half_of_last = 0.5 * std::pow(10.0, -decimals);
   QString text = QLocale().toString(std::abs(value) < half_of_last ? 0.0 : value, 'f', decimals);
@@ -103,17 +103,17 @@ QString figureInWords(double value, int decimals) {
   return text;
 }
 
-QString degreesInWords(std::optional<double> angle_rad) {
-  return angle_rad ? figureInWords(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
+QString degreesText(std::optional<double> angle_rad) {
+  return angle_rad ? figureText(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
 }
 
-QString wholeDegreesInWords(double angle_rad) { return figureInWords(toDegrees(angle_rad), 0) + QStringLiteral("°"); }
+QString wholeDegreesText(double angle_rad) { return figureText(toDegrees(angle_rad), 0) + QStringLiteral("°"); }
 
-QString millimetresInWords(double length_m, int decimals) {
-  return Words::tr("%1 mm").arg(figureInWords(toMillimetres(length_m), decimals));
+QString millimetresText(double length_m, int decimals) {
+  return Words::tr("%1 mm").arg(figureText(toMillimetres(length_m), decimals));
 }
 
-QString posesInWords(std::size_t count) {
+QString posesText(std::size_t count) {
   if (count == 0) return Words::tr("no poses");
   return count == 1 ? Words::tr("1 pose") : Words::tr("%1 poses").arg(count);
 }
@@ -143,7 +143,7 @@ QString severityWord(Severity severity) {
   return ofEnum(severity, {Words::tr("Note"), Words::tr("Warning"), Words::tr("Error")});
 }
 
-QString placeInWords(const Finding& finding) {
+QString placeText(const Finding& finding) {
   QStringList places;
   if (!finding.cells.empty()) places << listOf(finding.cells, Words::tr("cell %1"), Words::tr("cells %1"));
   if (!finding.poses.empty()) places << listOf(finding.poses, Words::tr("pose %1"), Words::tr("poses %1"));
@@ -175,15 +175,15 @@ QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& li
   } else {
     lines << Words::tr("Muted: %1").arg(mutedBecause(reconstruction, link));
   }
-  if (!link.hasFigures()) return asToolTip(longLinkName(link), lines);
+  if (!link.hasMetrics()) return asToolTip(longLinkName(link), lines);
   const Eigen::Vector3d& values = link.singular_values;
   lines << Words::tr("%1, singular values %2, %3, %4; weight %5")
-               .arg(qualityWord(link.quality), figureInWords(values[0], 2), figureInWords(values[1], 2),
-                    figureInWords(values[2], 2), QLocale().toString(link.weight, 'g', 3));
+               .arg(qualityWord(link.quality), figureText(values[0], 2), figureText(values[1], 2),
+                    figureText(values[2], 2), QLocale().toString(link.weight, 'g', 3));
   lines << Words::tr("Bend %1, twist %2, yaw %3")
-               .arg(degreesInWords(link.bend_rad), degreesInWords(link.twist_rad), degreesInWords(link.yaw_rad));
+               .arg(degreesText(link.bend_rad), degreesText(link.twist_rad), degreesText(link.yaw_rad));
   lines << Words::tr("Residual %1, predicted deviation %2")
-               .arg(degreesInWords(link.knownResidual()), degreesInWords(link.knownSigma()));
+               .arg(degreesText(link.knownResidual()), degreesText(link.knownSigma()));
   if (link.centred) lines << Words::tr("Centred: the mean of each cell's readings was subtracted");
   if (link.supported) lines << Words::tr("Support axes were added: the poses alone do not fix it");
   const QString poses = poseResiduals(reconstruction, link);
@@ -209,22 +209,22 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell, LinksOfCe
     const Eigen::Vector3d rpy_rad = rpyFromRotation(placement->T_o_u.R);
     lines << Words::tr("At %1 mm from the origin").arg(threeNumbers(1e3 * t_o_u, 1));
     lines << Words::tr("Roll %1, pitch %2, yaw %3")
-                 .arg(degreesInWords(rpy_rad.x()), degreesInWords(rpy_rad.y()), degreesInWords(rpy_rad.z()));
+                 .arg(degreesText(rpy_rad.x()), degreesText(rpy_rad.y()), degreesText(rpy_rad.z()));
     if (const auto known = uncertaintyOf(*placement)) {
       lines << Words::tr("Known to ±%1, ±%2 (95 %)")
-                   .arg(millimetresInWords(known->position_m, 1), degreesInWords(known->orientation_rad));
+                   .arg(millimetresText(known->position_m, 1), degreesText(known->orientation_rad));
     } else {
       lines << Words::tr("How well it is known is not stated");
     }
-    if (const auto path = patch->pathTo(cell); path.size() > 1) lines << pathInWords(path);
+    if (const auto path = patch->pathTo(cell); path.size() > 1) lines << pathText(path);
   }
   if (const auto shape = shapeUncertaintyOf(*placement)) {
     lines << Words::tr("In the shape known to ±%1, ±%2 (95 %)")
-                 .arg(millimetresInWords(shape->position_m, 1), degreesInWords(shape->orientation_rad));
+                 .arg(millimetresText(shape->position_m, 1), degreesText(shape->orientation_rad));
   }
-  if (const WorstLinkFigures worst = worstOf(links); worst.quality) {
+  if (const WorstLinkMetrics worst = worstOf(links); worst.quality) {
     lines << Words::tr("Worst link: %1, residual %2, predicted deviation %3")
-                 .arg(qualityWord(*worst.quality), degreesInWords(worst.residual_rad), degreesInWords(worst.sigma_rad));
+                 .arg(qualityWord(*worst.quality), degreesText(worst.residual_rad), degreesText(worst.sigma_rad));
   }
   if (placement->accel_offset_g) {
     lines << Words::tr("Accelerometer offset %1 mg").arg(threeNumbers(1e3 * *placement->accel_offset_g, 0));
@@ -232,8 +232,8 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell, LinksOfCe
   if (placement->accel_scale)
     lines << Words::tr("Accelerometer scale %1").arg(threeNumbers(*placement->accel_scale, 3));
   for (const Finding& finding : reconstruction.findings) {
-    constexpr std::size_t kMostCells = 4;  // one that names half of the skin is not about this cell
-    if (finding.severity == Severity::Info || finding.cells.size() > kMostCells) continue;
+    constexpr std::size_t kMaxCells = 4;  // one that names half of the skin is not about this cell
+    if (finding.severity == Severity::Info || finding.cells.size() > kMaxCells) continue;
     if (std::ranges::find(finding.cells, cell) != finding.cells.end()) lines << words(finding.message);
   }
   return asToolTip(Words::tr("Cell %1").arg(cell.value()), lines);

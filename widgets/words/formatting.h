@@ -14,13 +14,13 @@ QString noValue();
 /// No line breaks between a figure and its unit.
 QString unbroken(QString text);
 /// With a real minus sign, and none before a zero.
-QString figureInWords(double value, int decimals);
-QString degreesInWords(std::optional<double> angle_rad);
-QString wholeDegreesInWords(double angle_rad);
+QString figureText(double value, int decimals);
+QString degreesText(std::optional<double> angle_rad);
+QString wholeDegreesText(double angle_rad);
 /// "12.35 mm".
-QString millimetresInWords(double length_m, int decimals);
+QString millimetresText(double length_m, int decimals);
 /// "no poses", "1 pose", "4 poses".
-QString posesInWords(std::size_t count);
+QString posesText(std::size_t count);
 /// "5:2 – 9:3", cell and port of both ends, as on the command line.
 QString shortLinkName(LinkEnd a, LinkEnd b);
 inline QString shortLinkName(const LinkEstimate& link) { return shortLinkName(link.source, link.target); }
@@ -31,7 +31,7 @@ QString mutedBecause(const LinkEstimate& link);
 
 QString severityWord(Severity severity);
 /// "cells 5, 9; pose 3"; an en dash if the finding is about the whole skin.
-QString placeInWords(const Finding& finding);
+QString placeText(const Finding& finding);
 
 /// The finding's words on why a link is not used; its code's where there is none.
 QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link);

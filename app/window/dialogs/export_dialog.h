@@ -367,11 +367,11 @@ class ExportDialog : public QDialog {
         const PackageRequest asked = packageRequest();
         preview_->setHtml(asked.isEmpty() || !reconstruction_
                               ? QString()
-                              : packageInWords(previewPackage(*reconstruction_, packageContent(asked), asked.options)));
+                              : packageText(previewPackage(*reconstruction_, packageContent(asked), asked.options)));
       } else if (const ExportRequest asked = request(); asked.format) {
         asked.options.validateFor(*asked.format);
         if (reconstruction_) {
-          left_out = words(leftOutInWords(patchesLeftOut(*reconstruction_, *asked.format, asked.options)));
+          left_out = words(leftOutText(patchesLeftOut(*reconstruction_, *asked.format, asked.options)));
         }
       }
       return {};

@@ -77,7 +77,7 @@ class PackageList : public QListWidget {
 };
 
 /// What each file of a package holds, in which frame, and what it can't hold, as rich text.
-inline QString packageInWords(const std::vector<PackageEntry>& entries) {
+inline QString packageText(const std::vector<PackageEntry>& entries) {
   QString html;
   for (const PackageEntry& entry : entries) {
     html += QStringLiteral("<p style=\"margin-top:0;margin-bottom:10px\"><b>%1</b><br/>%2")

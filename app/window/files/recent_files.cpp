@@ -49,7 +49,7 @@ QString problemWith(const QString& path) {
 
 }  // namespace
 
-QString timeInWords(std::int64_t at_ms) {
+QString timeText(std::int64_t at_ms) {
   const QDateTime at = QDateTime::fromMSecsSinceEpoch(at_ms);
   const QLocale locale;
   const QString time = locale.toString(at.time(), QLocale::ShortFormat);
@@ -61,8 +61,8 @@ QString timeInWords(std::int64_t at_ms) {
 
 QString describeRecent(const RecentFile& file) {
   if (!file.problem.isEmpty()) return file.problem;
-  QString words = timeInWords(file.at_ms);
-  if (file.poses >= 0) words += QStringLiteral(" · ") + posesInWords(static_cast<std::size_t>(file.poses));
+  QString words = timeText(file.at_ms);
+  if (file.poses >= 0) words += QStringLiteral(" · ") + posesText(static_cast<std::size_t>(file.poses));
   return words;
 }
 
@@ -73,7 +73,7 @@ RecentFiles::RecentFiles(JobQueue& jobs, QObject* parent) : QObject(parent), job
   connect(&write_soon_, &QTimer::timeout, this, &RecentFiles::write);
   QSettings settings;
   const int count = settings.beginReadArray(kSetting);
-  for (int k = 0; k < count && files_.size() < kMost; ++k) {
+  for (int k = 0; k < count && files_.size() < kMax; ++k) {
     settings.setArrayIndex(k);
     RecentFile file;
     file.path = settings.value(QStringLiteral("path")).toString();
@@ -121,7 +121,7 @@ void RecentFiles::note(const QString& path, int poses) {
     files_.erase(known);
   }
   files_.insert(files_.begin(), std::move(file));
-  if (files_.size() > kMost) files_.resize(kMost);
+  if (files_.size() > kMax) files_.resize(kMax);
   changeFiles();
 }
 

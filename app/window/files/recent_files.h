@@ -26,13 +26,13 @@ struct RecentFile {
   QString problem;         ///< why it can't be opened; empty if nothing is known against it
 };
 
-/// The files that were open lately, the newest first, at most kMost; kept in the settings. Whether a file is still
+/// The files that were open lately, the newest first, at most kMax; kept in the settings. Whether a file is still
 /// there is looked up on another thread, as a folder on a network can be slow.
 class RecentFiles : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t kMost = 10;
+  static constexpr std::size_t kMax = 10;
 
   /// `jobs` must outlive this object.
   explicit RecentFiles(JobQueue& jobs, QObject* parent = nullptr);
@@ -62,7 +62,7 @@ class RecentFiles : public QObject {
 };
 
 /// "today, 14:32", "yesterday, 09:10" or the date.
-QString timeInWords(std::int64_t at_ms);
+QString timeText(std::int64_t at_ms);
 /// "today, 14:32 · 3 poses".
 QString describeRecent(const RecentFile& file);
 

@@ -93,12 +93,12 @@ void removeOldDiscarded(const QString& folder) {
 }
 
 QString describeUnsaved(const UnsavedSession& session) {
-  const QString when = timeInWords(session.edited_at_ms);
+  const QString when = timeText(session.edited_at_ms);
   if (!session.problem.isEmpty()) {
     return UnsavedSessions::tr("A session of %1 was not saved and can't be read: %2").arg(when, session.problem);
   }
   return UnsavedSessions::tr("A session of %1 with %2 of %3 cells was not saved.")
-      .arg(when, posesInWords(session.poses))
+      .arg(when, posesText(session.poses))
       .arg(session.cells);
 }
 

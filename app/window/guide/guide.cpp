@@ -31,7 +31,7 @@ QAction* bestAction(const SessionController& controller, const WindowActions& ac
   return finding && finding->severity == Severity::Error ? actions.show_finding : actions.export_to;
 }
 
-QString findingsInWords(const Reconstruction& reconstruction) {
+QString findingsText(const Reconstruction& reconstruction) {
   const std::size_t count = reconstruction.findings.size();
   if (count == 0) return Guide::tr("no findings");
   return count == 1 ? Guide::tr("1 finding") : Guide::tr("%1 findings").arg(count);
@@ -167,7 +167,7 @@ Step checkStep(const SessionController& controller, const WindowActions& actions
   Step step = stepOfResult(controller, Guide::tr("Check the skin"), Guide::tr("Waits for a skin."));
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return step;
-  step.note = words(sizeInWords(*result));
+  step.note = words(sizeText(*result));
   if (controller.liveSession().isLive()) {
     step.state = check.ready ? StepState::Done : StepState::Current;
     const Readiness not_yet = isAwaited(controller) ? Readiness::Waiting : Readiness::Blocked;
@@ -191,7 +191,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
   if (!controller.session()) {
     if (result) {
       step.state = StepState::Done;
-      step.note = posesInWords(result->poses.size());
+      step.note = posesText(result->poses.size());
       step.why = Guide::tr("A calibration is open. It holds the result; the poses are in its session.");
     } else {
       step.why = Guide::tr("Waits for a skin.");
@@ -200,7 +200,7 @@ Step captureStep(const SessionController& controller, const WindowActions& actio
     return step;
   }
   const bool more = controller.liveSession().wantsMorePoses();
-  step.note = posesInWords(controller.enabledPoses());
+  step.note = posesText(controller.enabledPoses());
   if (controller.liveSession().canTurn())
     step.actions = {actions.robot, actions.live_mode};
   else if (controller.liveSession().isLive())
@@ -231,10 +231,10 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   Step step = stepOfResult(controller, Guide::tr("Review"), Guide::tr("Waits for a reconstruction."));
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return step;
-  step.note = findingsInWords(*result);
+  step.note = findingsText(*result);
   sayOfPoses(step, controller,
              Guide::tr("There is a result of %1.")
-                 .arg(posesInWords(controller.session() ? controller.enabledPoses() : result->poses.size())));
+                 .arg(posesText(controller.session() ? controller.enabledPoses() : result->poses.size())));
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
   // The verdict itself stands in the banner, and the cards below say what was found.
@@ -264,7 +264,7 @@ Step verifyStep(const SessionController& controller) {
 }
 
 /// "1 of 2 patches is placed".
-QString placedInWords(const Reconstruction& result) {
+QString placedText(const Reconstruction& result) {
   const std::size_t placed = placedPatches(result).size();
   const auto patches = static_cast<std::size_t>(
       std::ranges::count_if(result.patches, [](const PatchReconstruction& patch) { return !patch.cells.empty(); }));
@@ -275,7 +275,7 @@ Step placeStep(const SessionController& controller) {
   Step step = stepOfResult(controller, Guide::tr("Place on the robot"), Guide::tr("Waits for a reconstruction."));
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return step;
-  step.note = placedInWords(*result);
+  step.note = placedText(*result);
   if (!controller.session()) {
     say(step, Readiness::Blocked, Guide::tr("A calibration is open: it holds the result, not the poses."));
   } else {
@@ -308,7 +308,7 @@ Step exportStep(const SessionController& controller, const WindowActions& action
   return step;
 }
 
-QString robotInWords(const SessionController& controller) {
+QString robotText(const SessionController& controller) {
   return controller.liveSession().isDemo() ? Guide::tr("The simulated robot") : Guide::tr("The robot");
 }
 
@@ -358,7 +358,7 @@ Banner::Content describeStand(const SessionController& controller, const WindowA
                   "by itself.");
   } else if (controller.liveSession().isRobotOn()) {
     const auto next = controller.enabledPoses() + 1;
-    content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotInWords(controller)).arg(next);
+    content.sentence = Guide::tr("%1 is taking pose %2.").arg(robotText(controller)).arg(next);
   } else if (controller.wasCancelled()) {
     content.tone = Tone::Caution;
     content.sentence = controller.reconstruction()

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kLogLines = 200;
 
 /// Asked from the context that draws, so that nothing is made again for it.
-QString graphicsInWords(QWidget& window) {
+QString graphicsText(QWidget& window) {
   auto* view = window.findChild<SceneWidget*>();
   if (!view || !view->makeCurrent()) return QStringLiteral("none");
   const auto ask = [functions = view->context().functions()](GLenum name) {
@@ -32,7 +32,7 @@ QString graphicsInWords(QWidget& window) {
   return words;
 }
 
-QString screensInWords(const QWidget& window) {
+QString screensText(const QWidget& window) {
   QStringList words;
   for (const QScreen* screen : QGuiApplication::screens()) {
     words << QStringLiteral("%1x%2 at scale %3, %4 dpi")
@@ -48,7 +48,7 @@ QString screensInWords(const QWidget& window) {
       .arg(QGuiApplication::font().pointSizeF());
 }
 
-QString sessionInWords(const SessionController& controller) {
+QString sessionText(const SessionController& controller) {
   if (controller.isEmpty()) return QStringLiteral("nothing is open");
   QStringList words = {controller.file().name()};
   if (controller.liveSession().isDemo()) words << QStringLiteral("demo");
@@ -85,14 +85,14 @@ QString composeBugReport(const EventLog& log, const SessionController& controlle
   QString report = line("Hexoderm", QStringLiteral(HEXODERM_VERSION));
   report += line("Qt", QLatin1String(qVersion()));
   report += line("VTK", QString::fromLatin1(vtkVersion::GetVTKVersion()));
-  report += line("Graphics", graphicsInWords(window));
+  report += line("Graphics", graphicsText(window));
   report += line("Software OpenGL asked for",
                  qEnvironmentVariableIsSet("LIBGL_ALWAYS_SOFTWARE") ? QStringLiteral("yes") : QStringLiteral("no"));
   report += line("System", QStringLiteral("%1, %2, %3")
                                .arg(QSysInfo::prettyProductName(), QSysInfo::currentCpuArchitecture(),
                                     QGuiApplication::platformName()));
-  report += line("Screen", screensInWords(window));
-  report += line("Session", sessionInWords(controller));
+  report += line("Screen", screensText(window));
+  report += line("Session", sessionText(controller));
   report += QStringLiteral("\nThe last %1 lines of the log:\n").arg(kLogLines);
   for (const LogLine& entry : log.newest(kLogLines)) report += asFileLine(entry) + QLatin1Char('\n');
   return withoutHome(report, QDir::homePath());

@@ -54,8 +54,8 @@ class EventRecorder : public QObject {
   /// A result in one line: its size, its solver, the time it took, its verdict.
   static QString lineOf(const Reconstruction& result) {
     return EventRecorder::tr("Solved: %1, %2, %3, %4 ms. %5")
-        .arg(words(sizeInWords(result)), posesInWords(result.poses.size()), QString::fromStdString(result.solver),
-             figureInWords(1e3 * result.solve_seconds, 1), words(result.assessment.reason));
+        .arg(words(sizeText(result)), posesText(result.poses.size()), QString::fromStdString(result.solver),
+             figureText(1e3 * result.solve_seconds, 1), words(result.assessment.reason));
   }
 
   void recordTold(Tone tone, const QString& text) { log_.add(severityOf(tone), text); }

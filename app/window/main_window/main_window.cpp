@@ -195,11 +195,11 @@ void MainWindow::handOutResults() {
 }
 
 void MainWindow::connectRefresh() {
-  connect(&controller_, &SessionController::changed, &refresh_, &OncePerTurn::request);
-  connect(&controller_.liveSession(), &LiveSession::nextPoseChanged, &refresh_, &OncePerTurn::request);
-  connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &OncePerTurn::request);
+  connect(&controller_, &SessionController::changed, &refresh_, &CoalescedRefresh::request);
+  connect(&controller_.liveSession(), &LiveSession::nextPoseChanged, &refresh_, &CoalescedRefresh::request);
+  connect(&presenters_->review, &ReviewPresenter::pickedPoseChanged, &refresh_, &CoalescedRefresh::request);
   connect(actions_.reset_layout, &QAction::triggered, panels_, &Panels::reset);
-  connect(&refresh_, &OncePerTurn::done, this, &MainWindow::refreshed);
+  connect(&refresh_, &CoalescedRefresh::done, this, &MainWindow::refreshed);
 }
 
 void MainWindow::refresh() {

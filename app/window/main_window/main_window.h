@@ -8,7 +8,7 @@
 #include "app/window/session/session_controller.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
-#include "app/window/toolkit/once_per_turn.h"
+#include "app/window/toolkit/coalesced_refresh.h"
 #include "app/window/toolkit/wheel_guard.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
@@ -96,7 +96,7 @@ class MainWindow : public QMainWindow {
   RecentFiles recent_;
   UnsavedSessions unsaved_;
   JobQueue jobs_;  ///< after those whose files it looks at: its thread has ended before they go
-  OncePerTurn refresh_;
+  CoalescedRefresh refresh_;
   std::unique_ptr<Views> views_;
   Panels* panels_;  ///< inside the window, so that banner and messages stay above them all
   std::unique_ptr<Presenters> presenters_;

@@ -104,7 +104,7 @@ class CapturePresenter : public Presenter {
     }
     const PoseCoverage coverage = reconstruction ? coverageOf(*reconstruction, captures) : PoseCoverage{};
     views.coverage->setCoverage(coverage);
-    panels.coverage().setRemark(reconstruction ? poseCountInWords(coverage) : QString());
+    panels.coverage().setRemark(reconstruction ? poseCountText(coverage) : QString());
   }
 
   void showNextPose() {
@@ -126,7 +126,7 @@ class CapturePresenter : public Presenter {
     told_cell_ = next && next->isWanted() ? std::optional(next->target.cell) : std::nullopt;
     PatchMoment moment = views.patch->moment();
     moment.told_cell = follows_part_ ? told_cell_ : std::nullopt;
-    moment.next_turn = next ? turnAngleInWords(*next).toStdString() : std::string();
+    moment.next_turn = next ? turnAngleText(*next).toStdString() : std::string();
     views.patch->setMoment(moment);
   }
 

@@ -26,7 +26,7 @@ class ConnectionPresenter : public Presenter {
     connect(&controller.liveSession().source(), &LiveSource::holdChanged, this, [this] {
       if (controller.liveSession().source().hold().late_frames != late_frames_shown_) refresh();
     });
-    connect(&controller.liveSession().source(), &LiveSource::statusChanged, this, &ConnectionPresenter::showOffences);
+    connect(&controller.liveSession().source(), &LiveSource::statusChanged, this, &ConnectionPresenter::showViolations);
     connect(&controller.liveSession(), &LiveSession::captured, this, &ConnectionPresenter::showCaptured);
     connect(&controller, &SessionController::noticed, this,
             [this](const QString& text) { views.messages->showMessage(Tone::Caution, text); });
@@ -50,10 +50,10 @@ class ConnectionPresenter : public Presenter {
     // While all is well the status bar says it, and the step Capture has a panel that says more.
     const bool is_well = controller.liveSession().isLive() && status.state == SourceState::Streaming;
     views.live_strip->setVisible(live.isRunning() && !is_well);
-    views.status->setLosses(live.isRunning() ? lossesInWords(status, live.hold()) : QString(),
+    views.status->setLosses(live.isRunning() ? lossesText(status, live.hold()) : QString(),
                             tr("Since the skin was connected: %1. Poses need no more than their own samples, so a few "
                                "lost ones do no harm; many speak of a slow network or cable.")
-                                .arg(countersInWords(status, live.hold())));
+                                .arg(countersText(status, live.hold())));
     if (!live.isRunning()) return;
     views.live_strip->setStatus(status, live.hold());
     const QString device = live.skin() ? words(live.skin()->device) + QStringLiteral(" · ") : QString();
@@ -87,8 +87,8 @@ class ConnectionPresenter : public Presenter {
     }
   }
 
-  void showOffences() {
-    const std::vector<Offence>& offences = controller.liveSession().source().status().offences;
+  void showViolations() {
+    const std::vector<ProtocolViolation>& offences = controller.liveSession().source().status().offences;
     offences_shown_ = std::min(offences_shown_, offences.size());  // fewer: of another source
     bool is_first = true;
     for (; offences_shown_ < offences.size(); ++offences_shown_) {

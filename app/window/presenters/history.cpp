@@ -55,7 +55,7 @@ void offerUnsaved(const WindowParts& parts, int count) {
 void connectHistory(const WindowParts& parts, FilePresenter& files) {
   parts.recent.serve(parts.actions.recent, [&files](const QString& path) { files.openFile(path); });
   QObject::connect(parts.views.welcome, &WelcomePanel::openWanted, &files, &FilePresenter::openFile);
-  QObject::connect(parts.views.earlier, &EarlierPanel::openWanted, &files, &FilePresenter::openFile);
+  QObject::connect(parts.views.earlier, &RecentSessions::openWanted, &files, &FilePresenter::openFile);
   QObject::connect(&parts.unsaved, &UnsavedSessions::recoverWanted, &files, &FilePresenter::openFile);
   QObject::connect(&parts.controller, &SessionController::opened, &parts.wires, [&parts] {
     noteOpened(parts);

@@ -54,7 +54,7 @@ class MarkPresenter : public Presenter {
     }
   }
 
-  static QString stageInWords(const SolveProgress& progress) {
+  static QString stageText(const SolveProgress& progress) {
     switch (progress.stage()) {
       case SolveStage::Links:
         return tr("estimating every link");
@@ -74,7 +74,7 @@ class MarkPresenter : public Presenter {
     const SolveProgress& progress = controller.progress();
     constexpr qint64 kSecond_ms = 1000;
     const QString what = tr("Working out the result of %1: %2 · %3 s")
-                             .arg(posesInWords(controller.enabledPoses()), stageInWords(progress),
+                             .arg(posesText(controller.enabledPoses()), stageText(progress),
                                   QLocale().toString(since_.elapsed() / kSecond_ms));
     const bool counts = progress.stage() == SolveStage::Patches;
     views.work_notice->showWork(what, static_cast<int>(progress.patch()),
@@ -102,7 +102,7 @@ class MarkPresenter : public Presenter {
     } else if (isOld()) {
       const auto& poses = controller.reconstruction()->poses;
       const auto used = static_cast<std::size_t>(std::ranges::count(poses, true, &PoseSummary::enabled));
-      middle = side = {Tone::Caution, tr("from before: %1").arg(posesInWords(used)), false, true};
+      middle = side = {Tone::Caution, tr("from before: %1").arg(posesText(used)), false, true};
     }
     panels.middleMark().setContent(middle);
     panels.sideMark().setContent(side);

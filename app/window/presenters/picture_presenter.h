@@ -3,7 +3,7 @@
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/presenter.h"
 #include "app/window/settings/theme.h"
-#include "app/window/toolkit/once_per_turn.h"
+#include "app/window/toolkit/coalesced_refresh.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -40,7 +40,7 @@ class PicturePresenter : public Presenter {
   /// Layouts have not caught up with a text that has just changed, inner ones ask outer ones for room; and a theme that
   /// was just chosen may still wait for its turn.
   void settle() {
-    once_per_turn.finish();
+    coalesced_refresh.finish();
     finishTheme();
     constexpr int kNested = 4;
     for (int k = 0; k < kNested; ++k) QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);

@@ -73,7 +73,7 @@ class PlaceSentences {
 
   [[nodiscard]] VerifySentence link(const PatchReconstruction& patch) const {
     if (!faults_.links.isEmpty()) return {Tone::Bad, faults_.links};
-    if (const PatchLinks* links = facts_.linksOf(patch)) return linkInWords(*links);
+    if (const PatchLinks* links = facts_.linksOf(patch)) return linkText(*links);
     if (facts_.links) return {Tone::Caution, tr("This patch saw gravity in no pose that has joint angles.")};
     return {};
   }
@@ -82,7 +82,7 @@ class PlaceSentences {
     if (!faults_.places.isEmpty()) return {Tone::Bad, faults_.places};
     if (!facts_.places) return {faults_.places_remark.isEmpty() ? Tone::Neutral : Tone::Caution, faults_.places_remark};
     const int row = facts_.preview >= 0 ? facts_.preview : std::max(0, facts_.rowOfPlace());
-    VerifySentence said = placesInWords(*facts_.places, static_cast<std::size_t>(row));
+    VerifySentence said = placesText(*facts_.places, static_cast<std::size_t>(row));
     if (!faults_.places_remark.isEmpty()) said.text += QLatin1Char('\n') + faults_.places_remark;
     return said;
   }

@@ -12,7 +12,7 @@
 
 namespace hexoderm {
 
-class OncePerTurn;
+class CoalescedRefresh;
 class RecentFiles;
 class ScaleRanges;
 class UnsavedSessions;
@@ -26,7 +26,7 @@ struct WindowParts {
   QWidget& window;  ///< dialogs belong to it
   const Views& views;
   Panels& panels;
-  OncePerTurn& once_per_turn;  ///< refreshes the window
+  CoalescedRefresh& coalesced_refresh;  ///< refreshes the window
   SessionController& controller;
   WindowActions& actions;
   Selection& selection;

@@ -41,7 +41,7 @@ ReviewPresenter::ReviewPresenter(const WindowParts& parts, FilePresenter& files,
 void ReviewPresenter::connectActions() {
   connect(actions.show_finding, &QAction::triggered, this, &ReviewPresenter::showWorstFinding);
   connect(actions.worst_cell, &QAction::triggered, this, &ReviewPresenter::showWorstCell);
-  connect(actions.figures, &QAction::triggered, this, [this] { showFigures(!views.patch->areFiguresShown()); });
+  connect(actions.figures, &QAction::triggered, this, [this] { showMetrics(!views.patch->areMetricsShown()); });
 }
 
 void ReviewPresenter::connectTables() {
@@ -136,17 +136,17 @@ void ReviewPresenter::showWorstCell() {
   const std::vector<CellId> worst = result ? worstCells(*result) : std::vector<CellId>();
   if (worst.empty()) return;
   selection.seekCell(selection.cell() == worst.front() ? worst.back() : worst.front());
-  showFigures(true);
+  showMetrics(true);
   // So that the arrow keys go on to its neighbours.
   QWidget* const walkable = views.patch->isVisible() ? static_cast<QWidget*>(views.patch) : views.graph;
   walkable->setFocus(Qt::ShortcutFocusReason);
 }
 
-void ReviewPresenter::showFigures(bool shown) {
-  views.patch->setFiguresShown(shown);
+void ReviewPresenter::showMetrics(bool shown) {
+  views.patch->setMetricsShown(shown);
   // Where there is no 3D view, or another view in its place, the graph has them.
-  const bool is_seen = views.patch->isVisible() && views.patch->areFiguresShown();
-  if (shown && !is_seen) views.graph->showFigures();
+  const bool is_seen = views.patch->isVisible() && views.patch->areMetricsShown();
+  if (shown && !is_seen) views.graph->showMetrics();
 }
 
 void ReviewPresenter::showWorstFinding() {

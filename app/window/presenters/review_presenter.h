@@ -36,7 +36,7 @@ class ReviewPresenter : public Presenter {
   void scrollToPicked();
   void showWorstFinding();
   void showWorstCell();
-  void showFigures(bool shown);
+  void showMetrics(bool shown);
 
   std::optional<PoseId> picked_pose_;
 };

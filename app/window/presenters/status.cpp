@@ -22,9 +22,9 @@ void refreshName(const WindowParts& parts) {
 }
 
 /// From a second on in seconds.
-QString durationInWords(double seconds) {
-  return seconds < 1 ? WindowParts::tr("%1 ms").arg(figureInWords(1e3 * seconds, 1))
-                     : WindowParts::tr("%1 s").arg(figureInWords(seconds, 1));
+QString durationText(double seconds) {
+  return seconds < 1 ? WindowParts::tr("%1 ms").arg(figureText(1e3 * seconds, 1))
+                     : WindowParts::tr("%1 s").arg(figureText(seconds, 1));
 }
 
 void refreshResult(const WindowParts& parts) {
@@ -44,7 +44,7 @@ void refreshResult(const WindowParts& parts) {
   parts.views.status->setSolve(
       parts.controller.session()
           ? WindowParts::tr("solved in %1 · %2")
-                .arg(durationInWords(result->solve_seconds), QString::fromStdString(result->solver))
+                .arg(durationText(result->solve_seconds), QString::fromStdString(result->solver))
           : WindowParts::tr("%1, read from the file").arg(QString::fromStdString(result->solver)),
       WindowParts::tr(
           "How long the last result took to work out, and by which method: global uses all links and poses at once, "
@@ -52,7 +52,7 @@ void refreshResult(const WindowParts& parts) {
           "goes from cell to cell as in the paper"));
 }
 
-QString savedInWords(const WindowParts& parts) {
+QString savedText(const WindowParts& parts) {
   if (parts.controller.file().hasUnsavedChanges())
     return parts.controller.file().isKept() ? WindowParts::tr("not on disk") : WindowParts::tr("not saved");
   if (!parts.controller.file().savedAt().isValid()) return {};
@@ -61,7 +61,7 @@ QString savedInWords(const WindowParts& parts) {
 
 void refreshPanels(const WindowParts& parts) {
   const Reconstruction* result = parts.controller.reconstruction().get();
-  parts.panels.graph().setRemark(result ? words(sizeInWords(*result)) : QString());
+  parts.panels.graph().setRemark(result ? words(sizeText(*result)) : QString());
   const bool has_poses = parts.controller.session() && !parts.controller.session()->poses().empty();
   const QString keys = parts.controller.liveSession().isLive()
                            ? WindowParts::tr("R recapture · Del disable · Ctrl+Z undo")
@@ -80,7 +80,7 @@ void refreshStatus(const WindowParts& parts) {
   refreshName(parts);
   refreshResult(parts);
   refreshPanels(parts);
-  parts.views.status->setSaved(savedInWords(parts));
+  parts.views.status->setSaved(savedText(parts));
 }
 
 }  // namespace hexoderm

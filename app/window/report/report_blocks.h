@@ -36,7 +36,7 @@ struct ReportVerdict {
 };
 
 /// Large figures in a row, each with a small text below.
-struct ReportFigures {
+struct ReportMetrics {
   std::vector<std::pair<QString, QString>> figures;
 };
 
@@ -73,7 +73,7 @@ struct ReportDrawings {
   std::vector<ReportDrawing> drawings;
 };
 
-using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportVerdict, ReportFigures, ReportPairs, ReportTable,
+using ReportBlock = std::variant<ReportHeading, ReportParagraph, ReportVerdict, ReportMetrics, ReportPairs, ReportTable,
                                  ReportDrawings>;
 
 struct ReportDocument {

@@ -17,7 +17,7 @@ inline constexpr double kPixelsPerPoint = 96.0 / 72;
 /// In the 96ths of an inch of CSS.
 inline constexpr double kPageWidth = 860;
 /// Shapes of more bytes are slower to open than pixels.
-inline constexpr int kMostSvgBytes = 400000;
+inline constexpr int kMaxSvgBytes = 400000;
 inline constexpr double kPictureFineness = 2;
 inline QString reportStyles() {
   const Colors& colors = Colors::of(Theme::Light);
@@ -151,7 +151,7 @@ class HtmlMaker {
     html_ += QStringLiteral("</div>\n");
   }
 
-  void add(const ReportFigures& figures) {
+  void add(const ReportMetrics& figures) {
     html_ += QStringLiteral("<div class=\"figures\">\n");
     for (const auto& [figure, label] : figures.figures) {
       html_ += QStringLiteral("<div><b>%1</b><span class=\"label\">%2</span></div>\n")
@@ -176,7 +176,7 @@ class HtmlMaker {
       const QSizeF size(width, width * drawing.aspect);
       const QByteArray svg = svgOf(drawing, size);
       const QString source =
-          svg.size() > kMostSvgBytes ? dataUri("image/png", pngOf(drawing, size)) : dataUri("image/svg+xml", svg);
+          svg.size() > kMaxSvgBytes ? dataUri("image/png", pngOf(drawing, size)) : dataUri("image/svg+xml", svg);
       html_ +=
           QStringLiteral("<figure><img src=\"%1\" alt=\"%2\"/><figcaption>%3</figcaption></figure>\n")
               .arg(source, ReportPage::drawingFor(drawing.caption).toHtmlEscaped(), drawing.caption.toHtmlEscaped());

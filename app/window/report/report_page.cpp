@@ -19,12 +19,12 @@ namespace {
 
 constexpr std::size_t kWorstLinks = 10;
 /// Of a skin of many patches the largest are drawn.
-constexpr std::size_t kMostPictured = 4;
+constexpr std::size_t kMaxPictured = 4;
 
-QString millimetresAlone(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
+QString millimetresAlone(double length_m) { return figureText(toMillimetres(length_m), 1); }
 
 QString hundredths(std::optional<double> angle_rad) {
-  return angle_rad ? figureInWords(toDegrees(*angle_rad), 2) + QStringLiteral("°") : noValue();
+  return angle_rad ? figureText(toDegrees(*angle_rad), 2) + QStringLiteral("°") : noValue();
 }
 
 ReportDrawing drawingOf(const ReportPicture& picture) {
@@ -40,7 +40,7 @@ ReportDrawing drawingOf(const ReportPicture& picture) {
           }};
 }
 
-QString countInWords(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
+QString countText(std::size_t count) { return QLocale().toString(static_cast<qulonglong>(count)); }
 
 }  // namespace
 
@@ -49,14 +49,14 @@ ReportDocument ReportPage::document() {
   document_.kind = tr("Hexoderm calibration report");
   document_.name = content_.name;
   document_.subtitle = tr("%1 · %2").arg(
-      words(sizeInWords(result_)), tr("%1, %2").arg(QLocale().toString(content_.made_at.date(), QLocale::LongFormat),
-                                                    QLocale().toString(content_.made_at.time(), QLocale::ShortFormat)));
+      words(sizeText(result_)), tr("%1, %2").arg(QLocale().toString(content_.made_at.date(), QLocale::LongFormat),
+                                                 QLocale().toString(content_.made_at.time(), QLocale::ShortFormat)));
   document_.foot = content_.name + QStringLiteral(" · Hexoderm " HEXODERM_VERSION " · ") +
                    QLocale().toString(content_.made_at, QLocale::ShortFormat);
   if (content_.simulated) document_.stamp = tr("SIMULATED: nothing real was measured");
   addTitle();
   addVerdict();
-  addKeyFigures();
+  addKeyMetrics();
   addFindings();
   addShapes();
   addLinks();
@@ -93,13 +93,12 @@ void ReportPage::addTitle() {
 
 void ReportPage::addVerdict() {
   const Assessment& verdict = result_.assessment;
-  const QString goal =
-      tr("±%1 mm and ±%2").arg(millimetresAlone(kGoodPosition_m), degreesInWords(kGoodOrientation_rad));
+  const QString goal = tr("±%1 mm and ±%2").arg(millimetresAlone(kGoodPosition_m), degreesText(kGoodOrientation_rad));
   QString meaning;
   if (verdict.isUsable() && verdict.position_95_m && verdict.orientation_95_rad) {
     meaning = tr("With a probability of 95 %, each measured cell is at most %1 mm and %2 from where this report says, "
                  "along or about any one axis, seen from the origin cell of its patch.")
-                  .arg(millimetresAlone(*verdict.position_95_m), degreesInWords(verdict.orientation_95_rad));
+                  .arg(millimetresAlone(*verdict.position_95_m), degreesText(verdict.orientation_95_rad));
     meaning += QLatin1Char(' ');
     meaning += verdict.level == VerdictLevel::Good
                    ? tr("A good calibration knows every cell to %1, and this one does.").arg(goal)
@@ -121,7 +120,7 @@ void ReportPage::addVerdict() {
                     verdict.next_action.empty() ? QString() : tr("Next: %1").arg(words(verdict.next_action))});
 }
 
-void ReportPage::addKeyFigures() {
+void ReportPage::addKeyMetrics() {
   const std::size_t used_links = [&] {
     std::size_t count = 0;
     for (const PatchReconstruction& patch : result_.patches) {
@@ -131,18 +130,18 @@ void ReportPage::addKeyFigures() {
   }();
   const auto used_poses = static_cast<std::size_t>(std::ranges::count_if(result_.poses, &PoseSummary::enabled));
   const auto share = [](std::size_t part, std::size_t whole) {
-    return part == whole ? countInWords(whole) : tr("%1 of %2").arg(countInWords(part), countInWords(whole));
+    return part == whole ? countText(whole) : tr("%1 of %2").arg(countText(part), countText(whole));
   };
   const Assessment& verdict = result_.assessment;
-  document_.blocks.emplace_back(ReportFigures{
-      {{countInWords(result_.cellCount()), tr("cells")},
-       {share(used_links, result_.linkCount()), tr("links used")},
-       {countInWords(result_.patches.size()), result_.patches.size() == 1 ? tr("patch") : tr("patches")},
-       {share(used_poses, result_.poses.size()), tr("poses used")},
-       {verdict.position_95_m ? tr("±%1 mm").arg(millimetresAlone(*verdict.position_95_m)) : noValue(),
-        tr("position, worst cell, 95 %")},
-       {verdict.orientation_95_rad ? tr("±%1").arg(degreesInWords(verdict.orientation_95_rad)) : noValue(),
-        tr("orientation, worst cell, 95 %")}}});
+  document_.blocks.emplace_back(
+      ReportMetrics{{{countText(result_.cellCount()), tr("cells")},
+                     {share(used_links, result_.linkCount()), tr("links used")},
+                     {countText(result_.patches.size()), result_.patches.size() == 1 ? tr("patch") : tr("patches")},
+                     {share(used_poses, result_.poses.size()), tr("poses used")},
+                     {verdict.position_95_m ? tr("±%1 mm").arg(millimetresAlone(*verdict.position_95_m)) : noValue(),
+                      tr("position, worst cell, 95 %")},
+                     {verdict.orientation_95_rad ? tr("±%1").arg(degreesText(verdict.orientation_95_rad)) : noValue(),
+                      tr("orientation, worst cell, 95 %")}}});
 }
 
 void ReportPage::addFindings() {
@@ -156,7 +155,7 @@ void ReportPage::addFindings() {
   std::ranges::stable_sort(worst_first, [](const Finding* a, const Finding* b) { return a->severity > b->severity; });
   std::vector<ReportTable::Row> rows;
   for (const Finding* finding : worst_first) {
-    rows.push_back({{severityWord(finding->severity), words(finding->message), placeInWords(*finding)},
+    rows.push_back({{severityWord(finding->severity), words(finding->message), placeText(*finding)},
                     finding->severity == Severity::Error});
   }
   table({{tr("Severity")}, {tr("What")}, {tr("Where")}}, std::move(rows));
@@ -170,11 +169,11 @@ void ReportPage::addShapes() {
   if (largest_first.empty()) return;
   std::ranges::stable_sort(largest_first, std::ranges::greater(),
                            [&](std::size_t k) { return result_.patches[k].cells.size(); });
-  const std::size_t pictured = std::min(largest_first.size(), kMostPictured);
+  const std::size_t pictured = std::min(largest_first.size(), kMaxPictured);
   heading(tr("Shape and its uncertainty"), true);
   for (std::size_t k = 0; k < pictured; ++k) addShape(largest_first[k]);
   if (pictured < largest_first.size()) {
-    note(tr("%1 smaller patches are not drawn.").arg(countInWords(largest_first.size() - pictured)));
+    note(tr("%1 smaller patches are not drawn.").arg(countText(largest_first.size() - pictured)));
   }
 }
 
@@ -185,7 +184,7 @@ void ReportPage::addShape(std::size_t index) {
                                     : tr("Patch %1, of cell %2: %3 cells")
                                           .arg(index + 1)
                                           .arg(patch.origin.value())
-                                          .arg(countInWords(patch.cells.size())));
+                                          .arg(countText(patch.cells.size())));
   }
   const PatchColoring coloring = patchColoring(patch);
   document_.blocks.emplace_back(ReportDrawings{2, patchDrawings(content_.reconstruction, index, coloring)});
@@ -194,7 +193,7 @@ void ReportPage::addShape(std::size_t index) {
     const CellPlacement& worst = patch.cells[*coloring.worst];
     remarks << tr("Thick outline: cell %1, which is known least well (±%2 mm).")
                    .arg(worst.cell.value())
-                   .arg(figureInWords(*coloring.values[*coloring.worst], 2));
+                   .arg(figureText(*coloring.values[*coloring.worst], 2));
   }
   remarks << tr("Ring: cell %1, the origin of the patch's frame, whose axes are at the lower right.")
                  .arg(patch.origin.value());
@@ -228,7 +227,7 @@ void ReportPage::addShape(std::size_t index) {
                          false,
                          {}};
   of_turns.marks = {{of_turns.distribution.median, tr("median")},
-                    {toDegrees(kGoodOrientation_rad), tr("good: up to %1").arg(degreesInWords(kGoodOrientation_rad))}};
+                    {toDegrees(kGoodOrientation_rad), tr("good: up to %1").arg(degreesText(kGoodOrientation_rad))}};
   std::ranges::sort(of_turns.marks, {}, &HistogramPlot::Mark::value);
   plots.push_back(histogramDrawing(std::move(of_turns)));
   document_.blocks.emplace_back(ReportDrawings{2, std::move(plots)});
@@ -237,11 +236,11 @@ void ReportPage::addShape(std::size_t index) {
 void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
   std::vector<ReportTable::Row> rows;
   for (const LinkEstimate* link : links) {
-    const bool known = link->hasFigures();
+    const bool known = link->hasMetrics();
     rows.push_back(
         {{shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), hundredths(link->knownResidual()),
-          hundredths(link->knownSigma()), known ? degreesInWords(link->bend_rad) : noValue(),
-          known ? degreesInWords(link->twist_rad) : noValue(), known ? degreesInWords(link->yaw_rad) : noValue(),
+          hundredths(link->knownSigma()), known ? degreesText(link->bend_rad) : noValue(),
+          known ? degreesText(link->twist_rad) : noValue(), known ? degreesText(link->yaw_rad) : noValue(),
           link->used ? (link->in_tree ? tr("used, in tree") : tr("used")) : tr("muted: %1").arg(mutedBecause(*link))},
          false});
   }
@@ -310,13 +309,12 @@ void ReportPage::addPoses() {
   document_.blocks.emplace_back(ReportDrawings{2, std::move(drawings)});
   std::vector<ReportTable::Row> rows;
   for (const PoseSummary& pose : result_.poses) {
-    rows.push_back(
-        {{QString::number(pose.pose.value()), pose.label.empty() ? noValue() : words(pose.label),
-          pose.enabled ? tr("used") : tr("disabled"),
-          QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
-          pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
-          pose.new_by_rad ? wholeDegreesInWords(*pose.new_by_rad) : noValue(), hundredths(pose.residual_rad)},
-         false});
+    rows.push_back({{QString::number(pose.pose.value()), pose.label.empty() ? noValue() : words(pose.label),
+                     pose.enabled ? tr("used") : tr("disabled"),
+                     QStringLiteral("%1/%2").arg(pose.cells_measured).arg(result_.cellCount()),
+                     pose.noise_g > 0 ? QLocale().toString(1000 * pose.noise_g, 'f', 1) : noValue(),
+                     pose.new_by_rad ? wholeDegreesText(*pose.new_by_rad) : noValue(), hundredths(pose.residual_rad)},
+                    false});
   }
   table({{tr("Pose")},
          {tr("Label")},

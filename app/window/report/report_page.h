@@ -24,7 +24,7 @@ class ReportPage {
  private:
   void addTitle();
   void addVerdict();
-  void addKeyFigures();
+  void addKeyMetrics();
   void addFindings();
   void addShapes();
   void addShape(std::size_t patch);

@@ -32,9 +32,9 @@ constexpr double kFooting = 20;  ///< room for the scale bar
 constexpr double kSmallestId = 4.2;
 constexpr double kLargestId = 8;
 /// A larger patch is drawn without the walls of its cells, which nobody would see.
-constexpr std::size_t kMostPrisms = 1500;
+constexpr std::size_t kMaxPrisms = 1500;
 /// A still larger one as pixels: a document of so many shapes opens slowly.
-constexpr std::size_t kMostShapes = 4000;
+constexpr std::size_t kMaxShapes = 4000;
 constexpr double kPictureDpi = 300;
 /// A face that is seen more from the side than this has no ID.
 constexpr double kFacing = 0.3;
@@ -174,7 +174,7 @@ class SidePainter {
     const QColor edge = colors_.text_muted;
     painter_.setPen(QPen(edge, std::clamp(apothem_ * 0.05, 0.1 * point_, 0.5 * point_), Qt::SolidLine, Qt::RoundCap,
                          Qt::RoundJoin));
-    const bool walls = side_.size() <= kMostPrisms;
+    const bool walls = side_.size() <= kMaxPrisms;
     const QColor grey(214, 214, 216);
     for (std::size_t k = 0; walls && k < kCorners; ++k) {
       const std::size_t next = (k + 1) % kCorners;
@@ -338,7 +338,7 @@ class SidePainter {
 };
 
 void drawSide(const PatchPicture& picture, std::size_t side, QPainter& painter, const QRectF& area, double point) {
-  if (picture.shown().cells.size() <= kMostShapes) {
+  if (picture.shown().cells.size() <= kMaxShapes) {
     SidePainter(picture, side, painter, area, point).draw();
     return;
   }

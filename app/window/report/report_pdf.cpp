@@ -193,7 +193,7 @@ class StripMaker {
          });
   }
 
-  void add(const ReportFigures& figures) {
+  void add(const ReportMetrics& figures) {
     const auto count = static_cast<double>(figures.figures.size());
     pushPairs(figures.figures, bold(14), muted(7.5), (kWidth - (count - 1) * kGutter) / count, 5 * kMm, false);
   }
@@ -259,7 +259,7 @@ class StripMaker {
   }
 
   static constexpr double kColumnGap = 3 * kMm;
-  static constexpr double kMostExtra = 14 * kMm;
+  static constexpr double kMaxExtra = 14 * kMm;
 
   static std::vector<double> columnWidths(const ReportTable& table) {
     const std::size_t count = table.columns.size();
@@ -282,7 +282,7 @@ class StripMaker {
     for (std::size_t k = 0; k < count; ++k) {
       if (all <= room) {
         // Figures that stand far from each other are hard to read in a row.
-        wanted[k] += std::min(kMostExtra, (room - all) / static_cast<double>(count));
+        wanted[k] += std::min(kMaxExtra, (room - all) / static_cast<double>(count));
       } else if (least < room) {
         wanted[k] = needed[k] + (wanted[k] - needed[k]) * (room - least) / (all - least);
       } else {

@@ -169,8 +169,8 @@ class HistogramPainter {
     const double width = bins_.front().upper - bins_.front().lower;
     const int decimals = decimalsOf(width);
     // Every edge, or every second, fifth ... as there is room for their numbers.
-    const double room = 1.6 * std::max(metrics_.horizontalAdvance(figureInWords(bins_.front().lower, decimals)),
-                                       metrics_.horizontalAdvance(figureInWords(bins_.back().upper, decimals)));
+    const double room = 1.6 * std::max(metrics_.horizontalAdvance(figureText(bins_.front().lower, decimals)),
+                                       metrics_.horizontalAdvance(figureText(bins_.back().upper, decimals)));
     std::size_t every = 1;
     while (frame_.width() / static_cast<double>(bins_.size()) * static_cast<double>(every) < room) ++every;
     for (std::size_t k = 0; k <= bins_.size(); k += every) {
@@ -179,7 +179,7 @@ class HistogramPainter {
       painter_.drawLine(QPointF(x(value), base), QPointF(x(value), base + kTick * point_));
       painter_.setPen(colors_.text);
       painter_.drawText(QRectF(x(value) - room, base + (kTick + 1) * point_, 2 * room, metrics_.height()),
-                        Qt::AlignHCenter | Qt::AlignTop, figureInWords(value, decimals));
+                        Qt::AlignHCenter | Qt::AlignTop, figureText(value, decimals));
     }
   }
 
@@ -215,13 +215,13 @@ void drawBoxes(const BoxPlot& plot, QPainter& painter, const QRectF& area, doubl
   const double step = valueStep(largest);
   const double top = step * std::ceil(largest / step - 1e-9);
   const int decimals = decimalsOf(step);
-  const double left = metrics.horizontalAdvance(figureInWords(top, decimals)) + 6 * point;
+  const double left = metrics.horizontalAdvance(figureText(top, decimals)) + 6 * point;
   const QRectF frame = area.adjusted(left, 1.5 * metrics.height(), 0, -2.3 * metrics.height());
   const auto y = [&](double degrees) { return frame.bottom() - frame.height() * degrees / top; };
   painter.setFont(font);
   Grid grid{area, frame, {}, plot.value, plot.axis};
   for (double value = 0; value <= top * (1 + 1e-9); value += step) {
-    grid.lines.push_back({y(value), figureInWords(value, decimals)});
+    grid.lines.push_back({y(value), figureText(value, decimals)});
   }
   drawGrid(grid, painter, metrics, point);
   const double width = frame.width() / static_cast<double>(std::max<std::size_t>(1, plot.poses.size()));

@@ -19,14 +19,14 @@ namespace hexoderm {
 namespace {
 
 /// As many rows as a person still leafs through; the calibration file and the CSV tables have all.
-constexpr std::size_t kMostRows = 400;
+constexpr std::size_t kMaxRows = 400;
 /// Of a larger skin, those that matter most.
 constexpr std::size_t kWorstRows = 100;
 /// Of the figures behind a check; of more the largest stand for all.
 constexpr std::size_t kCheckRows = 20;
 constexpr std::size_t kWorstCheckRows = 12;
 
-QString tenths(double length_m) { return figureInWords(toMillimetres(length_m), 1); }
+QString tenths(double length_m) { return figureText(toMillimetres(length_m), 1); }
 
 QString fromUtf8(std::string_view text) { return QString::fromUtf8(text.data(), static_cast<int>(text.size())); }
 
@@ -36,7 +36,7 @@ double largestFigure(const CellSummary& cell) {
 }
 
 /// The figures behind a check; where they are too many, the remarkable and the largest ones.
-ReportTable tableOf(VerifyFigures figures, std::size_t* left_out) {
+ReportTable tableOf(VerifyMetrics figures, std::size_t* left_out) {
   ReportTable table;
   for (const ResultTable::Column& column : figures.columns) table.columns.push_back({column.name, !column.is_text});
   if (!table.columns.empty()) table.columns.front().is_figure = false;  // IDs
@@ -63,7 +63,7 @@ ReportTable tableOf(VerifyFigures figures, std::size_t* left_out) {
 void ReportPage::addVerify() {
   heading(tr("Verification"), true);
   QStringList not_made;
-  const auto figures = [this](VerifyFigures found) {
+  const auto figures = [this](VerifyMetrics found) {
     if (found.rows.empty()) return;
     std::size_t left_out = 0;
     ReportTable made = tableOf(std::move(found), &left_out);
@@ -75,8 +75,8 @@ void ReportPage::addVerify() {
 
   if (verify.hold_out) {
     heading(tr("A pose that was held out"));
-    say(holdOutInWords(*verify.hold_out));
-    VerifyFigures cells = holdOutFigures(*verify.hold_out, false);
+    say(holdOutText(*verify.hold_out));
+    VerifyMetrics cells = holdOutMetrics(*verify.hold_out, false);
     std::ranges::stable_sort(cells.rows, [](const ResultTable::Row& a, const ResultTable::Row& b) {
       return a.values.at(1).toDouble() > b.values.at(1).toDouble();
     });
@@ -86,32 +86,32 @@ void ReportPage::addVerify() {
   }
   if (verify.loops) {
     heading(tr("Closed loops"));
-    say(loopsInWords(*verify.loops, result_.patches.size()));
-    figures(loopFigures(*verify.loops));
+    say(loopsText(*verify.loops, result_.patches.size()));
+    figures(loopMetrics(*verify.loops));
   } else {
     not_made << tr("closed loops");
   }
   if (verify.surfaces && !(verify.surfaces->empty() && verify.surface_remarks.isEmpty())) {
     heading(tr("The surface that the cells lie on"));
     for (const SurfaceEvaluation& surface : *verify.surfaces) {
-      say(surfaceInWords(surface, result_.assessment.position_95_m));
+      say(surfaceText(surface, result_.assessment.position_95_m));
     }
     for (const QString& remark : verify.surface_remarks) paragraph(remark);
-    figures(surfaceFigures(*verify.surfaces));
+    figures(surfaceMetrics(*verify.surfaces));
   } else {
     not_made << tr("a fitted surface");
   }
   if (verify.comparisons) {
     heading(tr("Comparison with %1").arg(verify.compared_with));
-    say(comparisonInWords(*verify.comparisons, verify.compared_with));
-    figures(comparisonFigures(*verify.comparisons));
+    say(comparisonText(*verify.comparisons, verify.compared_with));
+    figures(comparisonMetrics(*verify.comparisons));
   } else {
     not_made << tr("a comparison with an earlier calibration");
   }
   if (verify.old_calibration) {
     heading(tr("Does %1 still hold?").arg(verify.old_calibration_name));
-    say(oldCalibrationInWords(*verify.old_calibration, verify.old_calibration_name));
-    figures(oldCalibrationFigures(*verify.old_calibration, result_));
+    say(oldCalibrationText(*verify.old_calibration, verify.old_calibration_name));
+    figures(oldCalibrationMetrics(*verify.old_calibration, result_));
   } else {
     not_made << tr("a check of an old calibration");
   }
@@ -127,12 +127,12 @@ void ReportPage::addPlaces() {
     if (placement->place) {
       const SE3& T = placement->place->T_l_o;
       for (const double length_m : T.t) row << tenths(length_m);
-      for (const double angle_rad : rpyFromRotation(T.R)) row << degreesInWords(angle_rad);
+      for (const double angle_rad : rpyFromRotation(T.R)) row << degreesText(angle_rad);
       CellPlacement origin;
       origin.cov_t_r = placement->place->cov_t_r;
       const std::optional<Uncertainty95> known = uncertaintyOf(origin);
       row << (known ? tenths(known->position_m) : noValue())
-          << (known ? degreesInWords(known->orientation_rad) : noValue());
+          << (known ? degreesText(known->orientation_rad) : noValue());
     } else {
       for (int k = 0; k < 8; ++k) row << noValue();
     }
@@ -169,7 +169,7 @@ void ReportPage::addCells() {
   std::vector<CellSummary> cells = summariseCells(result_);
   if (cells.empty()) return;
   const std::size_t all = cells.size();
-  if (all > kMostRows) {
+  if (all > kMaxRows) {
     std::ranges::stable_sort(cells, std::ranges::greater(), largestFigure);
     cells.resize(kWorstRows);
     heading(tr("The %1 cells that are known least well").arg(kWorstRows), true);
@@ -186,13 +186,13 @@ void ReportPage::addCells() {
       return known ? tenths(known->position_m) : noValue();
     };
     const auto turn = [](const std::optional<Uncertainty95>& known) {
-      return known ? degreesInWords(known->orientation_rad) : noValue();
+      return known ? degreesText(known->orientation_rad) : noValue();
     };
     const std::optional<Uncertainty95> stated = cell.origin ? std::nullopt : cell.stated;
     rows.push_back({{QString::number(cell.cell.value()), QString::number(cell.patch.value() + 1),
                      placement == nullptr || placement->body_part.empty() ? noValue() : fromUtf8(placement->body_part),
                      tenths(cell.T_o_u.t.x()), tenths(cell.T_o_u.t.y()), tenths(cell.T_o_u.t.z()), length(stated),
-                     turn(stated), length(cell.shape), turn(cell.shape), degreesInWords(cell.worst_residual_rad),
+                     turn(stated), length(cell.shape), turn(cell.shape), degreesText(cell.worst_residual_rad),
                      cell.origin                           ? tr("origin")
                      : cell.placed_by == PlacedBy::Samples ? tr("measured")
                                                            : tr("through its links")},
@@ -223,7 +223,7 @@ void ReportPage::addAllLinks() {
   }
   if (links.empty()) return;
   // The worst of a large skin stand further up already.
-  if (links.size() > kMostRows) {
+  if (links.size() > kMaxRows) {
     note(tr("All %1 links are in the calibration file and in the exported tables.").arg(links.size()));
     return;
   }
@@ -246,8 +246,8 @@ void ReportPage::addOptions() {
       {tr("A direction counts as defined from"), locale.toString(options.class_threshold, 'f', 2)},
       {tr("Limits of bend, twist, yaw"),
        tr("%1, %2, %3")
-           .arg(wholeDegreesInWords(options.max_bend_rad), wholeDegreesInWords(options.max_twist_rad),
-                wholeDegreesInWords(options.max_yaw_rad))},
+           .arg(wholeDegreesText(options.max_bend_rad), wholeDegreesText(options.max_twist_rad),
+                wholeDegreesText(options.max_yaw_rad))},
       {tr("Limit of misfit"), tr("%1 standard deviations").arg(locale.toString(options.max_misfit, 'f', 1))},
       {tr("Cells left out"), left_out.isEmpty() ? tr("none") : left_out.join(QStringLiteral(", "))}};
   for (const PatchReconstruction& patch : result_.patches) {

@@ -6,7 +6,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr int kMostTitles = 200;
+constexpr int kMaxTitles = 200;
 
 const QString kOrder = QStringLiteral("report/order");
 const QString kLastRobot = QStringLiteral("report/last_robot");
@@ -42,7 +42,7 @@ void keepReportTitle(const QString& session, const ReportTitle& title) {
   QStringList order = settings.value(kOrder).toStringList();
   order.removeAll(key);
   order.prepend(key);
-  while (order.size() > kMostTitles) settings.remove(QStringLiteral("report/titles/") + order.takeLast());
+  while (order.size() > kMaxTitles) settings.remove(QStringLiteral("report/titles/") + order.takeLast());
   settings.setValue(kOrder, order);
 }
 

@@ -108,7 +108,7 @@ bool LiveSession::begin(const SkinDescription& skin) {
     return false;
   }
   const ConnectRequest request = request_;
-  auto session = std::make_unique<Session>(CaptureCourse::sessionOf(skin, source_.address().toStdString()));
+  auto session = std::make_unique<Session>(CaptureWorkflow::sessionOf(skin, source_.address().toStdString()));
   if (request.path.isEmpty()) {
     controller_.showSession(std::move(session), request.demo ? tr("Demo skin (simulated)") : source_.address(), {});
     file.keepInScratch(request.demo ? QStringLiteral("demo") : QStringLiteral("live"));
@@ -136,7 +136,7 @@ void LiveSession::perform(const std::vector<SessionEdit>& edits) {
 
 void LiveSession::retryWriting() { controller_.file().retryWriting(); }
 
-void LiveSession::onCourseEvent(const CourseEvent& event) {
+void LiveSession::onWorkflowEvent(const WorkflowEvent& event) {
   if (const auto* taken = std::get_if<PoseTaken>(&event)) {
     emit poseTaken(taken->captured);
   } else if (const auto* kept = std::get_if<PoseKept>(&event)) {
@@ -155,7 +155,7 @@ void LiveSession::onCourseEvent(const CourseEvent& event) {
     emit nextPoseChanged();
   } else if (const auto* refused = std::get_if<TurnRefused>(&event)) {
     announce(*refused);
-  } else if (std::holds_alternative<CourseFinished>(event)) {
+  } else if (std::holds_alternative<WorkflowFinished>(event)) {
     emit changed();
   }
 }
@@ -208,7 +208,7 @@ void LiveSession::announce(const PoseKept& kept) {
   if (kept.captured.repeats) {
     text += QLatin1Char(' ') + tr("It repeats pose %1, which is only %2° away.")
                                    .arg(QString::number(kept.captured.repeats->value()),
-                                        figureInWords(toDegrees(kept.captured.repeat_angle_rad), 1));
+                                        figureText(toDegrees(kept.captured.repeat_angle_rad), 1));
   }
   emit poseKept(kept.captured);
   emit captured(text, kept.captured.repeats || !kept.captured.silent_cells.empty());

@@ -2,7 +2,7 @@
 
 #include "app/window/session/live_source.h"
 #include "hexoderm/base/latest_worker.h"
-#include "hexoderm/capture/capture_course.h"
+#include "hexoderm/capture/capture_workflow.h"
 
 #include <QObject>
 #include <cstdint>
@@ -20,7 +20,7 @@ struct ConnectRequest {
   bool demo = false;              ///< the simulated skin that everything can be tried with
 };
 
-/// The connected skin, whose poses the open session grows by. CaptureCourse decides what becomes of them, and which
+/// The connected skin, whose poses the open session grows by. CaptureWorkflow decides what becomes of them, and which
 /// pose is advised next, to a person or to the robot.
 class LiveSession : public QObject, private CaptureOwner {
   Q_OBJECT
@@ -110,7 +110,7 @@ class LiveSession : public QObject, private CaptureOwner {
   void perform(const std::vector<SessionEdit>& edits) override;
   std::uint32_t send(const SkinCommand& command) override { return source_.send(command); }
   void retryWriting() override;
-  void onCourseEvent(const CourseEvent& event) override;
+  void onWorkflowEvent(const WorkflowEvent& event) override;
 
   void forgetSource();
   void showSkin(const SkinDescription& skin);
@@ -124,7 +124,7 @@ class LiveSession : public QObject, private CaptureOwner {
   [[nodiscard]] std::vector<std::shared_ptr<const PoseCapture>> earlierPoses() const;
 
   SessionController& controller_;
-  CaptureCourse course_;
+  CaptureWorkflow course_;
   PoseRecorderOptions recorder_options_;
   ConnectRequest request_;
   std::uint64_t request_revision_ = 0;  ///< SessionController::submittedRevision() when it was made

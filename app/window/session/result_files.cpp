@@ -46,7 +46,7 @@ void ResultFiles::exportTo(const ExportRequest& request) {
       return QString();
     }
     exportReconstruction(*reconstruction, *request.format, toPath(request.path), request.options);
-    return words(leftOutInWords(patchesLeftOut(*reconstruction, *request.format, request.options)));
+    return words(leftOutText(patchesLeftOut(*reconstruction, *request.format, request.options)));
   });
 }
 

@@ -43,8 +43,8 @@ class TableAndCard : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override {
-    constexpr int kLeastCharacters = 64;
-    card_->setVisible(width() >= kLeastCharacters * fontMetrics().averageCharWidth());
+    constexpr int kMinCharacters = 64;
+    card_->setVisible(width() >= kMinCharacters * fontMetrics().averageCharWidth());
     QWidget::resizeEvent(event);
   }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/files/earlier_panel.h"
+#include "app/window/files/recent_sessions.h"
 #include "app/window/guide/actions.h"
 #include "app/window/guide/welcome_panel.h"
 #include "app/window/log/log_view.h"
@@ -62,7 +62,7 @@ struct Views {
   QMenuBar* menus = new QMenuBar;
   QLabel* session_name = new ElidedLabel;
   StepPanel* steps = new StepPanel;
-  EarlierPanel* earlier = new EarlierPanel(sources_.recent, sources_.unsaved);
+  RecentSessions* earlier = new RecentSessions(sources_.recent, sources_.unsaved);
   CheckList* check_list = new CheckList;
   FindingCards* check_findings = new FindingCards(QStringLiteral("checkFindings"));
   FindingCards* review_findings = new FindingCards(QStringLiteral("reviewFindings"));

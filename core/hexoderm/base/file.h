@@ -9,13 +9,13 @@
 namespace hexoderm {
 
 /// The most that is read of a document.
-inline constexpr std::uintmax_t kMostFileBytes = 256'000'000;
+inline constexpr std::uintmax_t kMaxFileBytes = 256'000'000;
 /// The most that is read of a session or a calibration: a calibration of 100,000 cells has a third of it.
-inline constexpr std::uintmax_t kMostSkinBytes = 1'000'000'000;
+inline constexpr std::uintmax_t kMaxSkinBytes = 1'000'000'000;
 
 /// The whole file as bytes, opened and read once: a pipe will do. Throws StorageError naming the file if it is missing,
 /// a folder or unreadable, FormatError if it has more than `most` bytes or does not end.
-std::string readFile(const std::filesystem::path& path, std::uintmax_t most = kMostFileBytes);
+std::string readFile(const std::filesystem::path& path, std::uintmax_t most = kMaxFileBytes);
 
 /// Writes a document. What `path` is decides how:
 /// - nothing, or a file: a new file is written, read back and compared byte for byte, synced, and then gets the name,

@@ -7,9 +7,9 @@
 namespace hexoderm {
 
 void requirePosition(const std::string& joint, double position) {
-  if (std::abs(position) <= kMostJointPosition) return;  // NaN is not
+  if (std::abs(position) <= kMaxJointPosition) return;  // NaN is not
   throw InvalidArgument(
-      message("joint {}: expected a finite position, at most {}", joint, Number{kMostJointPosition, 0}));
+      message("joint {}: expected a finite position, at most {}", joint, Number{kMaxJointPosition, 0}));
 }
 
 void JointAngles::validate() const {

@@ -3,7 +3,7 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/is_rotation.h"
-#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace {
 Message inFewWords(const nlohmann::json& value) {
   if (value.is_array()) return message("an array of {}", value.size());
   if (value.is_object()) return message("an object");
-  constexpr std::size_t kMost = 40;
+  constexpr std::size_t kMax = 40;
   std::string text = value.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  if (text.size() > kMost) text = text.substr(0, kMost) + "...";
+  if (text.size() > kMax) text = text.substr(0, kMax) + "...";
   return Message::verbatim(std::move(text));
 }
 
@@ -124,8 +124,8 @@ class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool open(nlohmann::json::value_t kind) {
-    if (levels_above_ + open_.size() >= kMostJsonLevels) {
-      return refuse(message("is nested too deeply, at most {} levels are read", kMostJsonLevels));
+    if (levels_above_ + open_.size() >= kMaxJsonLevels) {
+      return refuse(message("is nested too deeply, at most {} levels are read", kMaxJsonLevels));
     }
     if (!count()) return false;
     nlohmann::json& opened = put(nlohmann::json(kind));
@@ -161,8 +161,8 @@ std::string wordAround(std::string_view text, std::size_t position) {
   while (begin > 0 && isPart(text[begin - 1])) --begin;
   std::size_t end = std::min(position, text.size());
   while (end < text.size() && isPart(text[end])) ++end;
-  constexpr std::size_t kMost = 40;
-  return std::string(text.substr(begin, std::min(end - begin, kMost)));
+  constexpr std::size_t kMax = 40;
+  return std::string(text.substr(begin, std::min(end - begin, kMax)));
 }
 
 bool isNotFinite(std::string_view word) {
@@ -205,10 +205,10 @@ bool isNotFinite(std::string_view word) {
 
 nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values,
                          std::size_t levels_above) {
-  if (text.size() > kMostFileBytes) {
+  if (text.size() > kMaxFileBytes) {
     throw FormatError(file, message("something in it is wrong or unusual; what it is, is looked for in files of "
                                     "up to {} MB only",
-                                    kMostFileBytes / 1'000'000));
+                                    kMaxFileBytes / 1'000'000));
   }
   DocumentBuilder builder(most_values, levels_above);
   if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
@@ -223,7 +223,7 @@ std::optional<std::string> findJsonFormat(std::string_view text) {
   // Keeps nothing of the document.
   const auto look = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
-    if (depth > static_cast<int>(kMostJsonLevels)) throw Found();
+    if (depth > static_cast<int>(kMaxJsonLevels)) throw Found();
     if (depth == 1 && event == Event::key) is_format = parsed == "format";
     if (depth == 1 && event == Event::value && is_format && parsed.is_string()) {
       format = parsed.get<std::string>();
@@ -261,12 +261,12 @@ std::optional<JsonReader> JsonReader::find(const std::string& key) const {
 
 void JsonReader::requireKeys(std::initializer_list<std::string_view> known) const {
   if (!value_->is_object()) fail(message("an object"));
-  constexpr std::size_t kMostOfAKey = 40;
+  constexpr std::size_t kMaxOfAKey = 40;
   for (const auto& [key, value] : value_->items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
     const std::vector<std::string> names(known.begin(), known.end());
-    const std::string found = excerptOf(key, kMostOfAKey);
-    const std::optional<std::string> meant = nearMatch(key, names);
+    const std::string found = excerptOf(key, kMaxOfAKey);
+    const std::optional<std::string> meant = spellingSuggestion(key, names);
     throw FormatError(*file_, located(path_.empty() ? found : path_ + "." + found,
                                       meant ? message("there is no such key; did you mean {}?", *meant)
                                             : message("there is no such key; there are {}", names)));

@@ -18,17 +18,17 @@
 
 namespace hexoderm {
 
-/// What is read of a document at most. With its bytes, at most kMostFileBytes, it bounds the memory of what is read: a
+/// What is read of a document at most. With its bytes, at most kMaxFileBytes, it bounds the memory of what is read: a
 /// value takes less than 100 bytes beside its text.
-inline constexpr std::size_t kMostJsonLevels = 100;
-inline constexpr std::size_t kMostJsonValues = 20'000'000;
+inline constexpr std::size_t kMaxJsonLevels = 100;
+inline constexpr std::size_t kMaxJsonValues = 20'000'000;
 /// Without a document in between (JsonScanner), a value takes no more memory than its text.
-inline constexpr std::size_t kMostScannedValues = 60'000'000;
+inline constexpr std::size_t kMaxScannedValues = 60'000'000;
 
 /// Parses JSON text; `file` is named in errors. Throws FormatError with line, column and key path for what is not JSON,
 /// and with the key path for a key that is there twice and for what is larger than the limits above. Of a text that is
 /// a part of a document, `levels_above` are the levels around it.
-nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values = kMostJsonValues,
+nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values = kMaxJsonValues,
                          std::size_t levels_above = 0);
 
 /// The text's top-level "format" without parsing the rest; nullopt if there is none before the text ends or stops being

@@ -45,7 +45,7 @@ void JsonScanner::requireWord(std::string_view word) {
 void JsonScanner::begin(char bracket) {
   skipSpace();
   requireNext(bracket);
-  if (++levels_ > kMostJsonLevels) throw Unusual();
+  if (++levels_ > kMaxJsonLevels) throw Unusual();
   ++values_;
   is_first_ = true;
 }
@@ -222,9 +222,7 @@ std::string_view JsonScanner::textOfValue() {
   return {begin, static_cast<std::size_t>(at_ - begin)};
 }
 
-nlohmann::json JsonScanner::document() {
-  return parseJson(textOfValue(), "a part of a file", kMostJsonValues, levels_);
-}
+nlohmann::json JsonScanner::document() { return parseJson(textOfValue(), "a part of a file", kMaxJsonValues, levels_); }
 
 void JsonScanner::keep(std::string_view key, nlohmann::json& object) {
   if (!object.emplace(std::string(key), document()).second) throw Unusual();
@@ -232,7 +230,7 @@ void JsonScanner::keep(std::string_view key, nlohmann::json& object) {
 
 void JsonScanner::finish() {
   skipSpace();
-  if (at_ != end_ || values_ > kMostScannedValues) throw Unusual();
+  if (at_ != end_ || values_ > kMaxScannedValues) throw Unusual();
 }
 
 }  // namespace hexoderm

@@ -116,7 +116,7 @@ class JsonScanner {
   [[noreturn]] static void fail(const Message& /*expected*/) { throw Unusual(); }
   [[noreturn]] static void failAt(std::string_view /*key*/, const Message& /*expected*/) { throw Unusual(); }
 
-  /// Nothing may follow, and there may not have been more than kMostScannedValues.
+  /// Nothing may follow, and there may not have been more than kMaxScannedValues.
   void finish();
 
  private:

@@ -3,7 +3,7 @@
 namespace hexoderm {
 
 /// Private to core: kernels lay their numbers out for four things side by side, however many they do at a time
-/// (lanes_text.h).
+/// (lanes.inl).
 inline constexpr int kLanes = 4;
 
 }  // namespace hexoderm

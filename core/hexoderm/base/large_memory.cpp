@@ -17,7 +17,7 @@ constexpr std::align_val_t kAlignment{64};
 
 constexpr std::size_t kLargePage_bytes = std::size_t{2} << 20;
 constexpr std::size_t kPage_bytes = std::size_t{64} << 10;  // a multiple of any system's: the rest lies in small pages
-constexpr std::size_t kLeast_bytes = 2 * kLargePage_bytes;  // less has hardly a whole one in it
+constexpr std::size_t kMin_bytes = 2 * kLargePage_bytes;    // less has hardly a whole one in it
 
 std::size_t inWholePages(std::size_t bytes) { return (bytes + kPage_bytes - 1) / kPage_bytes * kPage_bytes; }
 
@@ -44,14 +44,14 @@ void* mapPages(std::size_t bytes) {
 
 void* allocateLarge(std::size_t bytes) {
 #ifdef HEXODERM_LARGE_PAGES
-  if (bytes >= kLeast_bytes) return mapPages(bytes);
+  if (bytes >= kMin_bytes) return mapPages(bytes);
 #endif
   return ::operator new(bytes, kAlignment);
 }
 
 void freeLarge(void* memory, [[maybe_unused]] std::size_t bytes) noexcept {
 #ifdef HEXODERM_LARGE_PAGES
-  if (bytes >= kLeast_bytes) {
+  if (bytes >= kMin_bytes) {
     munmap(memory, inWholePages(bytes));
     return;
   }

@@ -6,11 +6,11 @@
 /// squares, sums and quotients stay finite wherever they are used.
 namespace hexoderm {
 
-inline constexpr double kMostAcceleration_g = 1e6;  ///< of a reading, and of its mean
-inline constexpr double kMostVariance_g2 = 1e13;    ///< of readings within kMostAcceleration_g, with room for rounding
-inline constexpr double kMostLength_m = 1e6;        ///< of a place, and of a distance
+inline constexpr double kMaxAcceleration_g = 1e6;  ///< of a reading, and of its mean
+inline constexpr double kMaxVariance_g2 = 1e13;    ///< of readings within kMaxAcceleration_g, with room for rounding
+inline constexpr double kMaxLength_m = 1e6;        ///< of a place, and of a distance
 
-inline constexpr double kMostAngle_rad = 1e6;  ///< of a rotation that is given, which may go round many times
+inline constexpr double kMaxAngle_rad = 1e6;  ///< of a rotation that is given, which may go round many times
 
 /// Every element is a number, and at most `most` in magnitude.
 template <class Derived>

@@ -113,7 +113,7 @@ Message inRow(std::vector<Message> messages, std::string_view separator) {
   return {std::move(places), std::move(arguments)};
 }
 
-Message cellsInWords(const std::vector<CellId>& cells) {
+Message cellsText(const std::vector<CellId>& cells) {
   constexpr std::size_t kNamed = 6;
   if (cells.size() == 1) return message("cell {}", cells.front());
   if (cells.size() <= kNamed) return message("cells {}", cells);

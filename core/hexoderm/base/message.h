@@ -178,7 +178,7 @@ Message message(std::type_identity_t<LiteralTemplate<Arguments...>> english, Arg
 Message inRow(std::vector<Message> messages, std::string_view separator = " ");
 
 /// "cell 7", "cells 7, 9", "12 cells": few are named, many are counted.
-Message cellsInWords(const std::vector<CellId>& cells);
+Message cellsText(const std::vector<CellId>& cells);
 
 /// "PLACE: what is wrong there", of a file, a key, an address.
 Message located(MessageArgument place, Message what);

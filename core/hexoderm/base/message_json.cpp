@@ -10,7 +10,7 @@ namespace {
 
 // Messages within messages and lists within lists: core makes four levels of them.
 constexpr int kDeepest = 8;
-constexpr std::uint32_t kMostDecimals = 17;
+constexpr std::uint32_t kMaxDecimals = 17;
 /// Behind the key of the English.
 constexpr const char* kMessageKey = "_message";
 
@@ -44,7 +44,7 @@ Quantity readQuantity(const JsonReader& json) {
   Quantity quantity;
   quantity.value = json.at("value").number();
   if (const auto decimals = json.find("decimals")) {
-    quantity.decimals = static_cast<int>(decimals->unsignedInteger(0, kMostDecimals));
+    quantity.decimals = static_cast<int>(decimals->unsignedInteger(0, kMaxDecimals));
   }
   if (const auto unit = json.find("unit")) {
     const std::optional<Unit> known = kUnits.find(unit->string());

@@ -34,7 +34,7 @@ void makeOrthogonal(Eigen::Matrix3d& A, Eigen::Matrix3d& V, int p, int q) {
 /// fast as a general SVD, but good for two singular values that are well above 0 only: false otherwise.
 bool solveQuickly(const Eigen::Matrix3d& H, ProcrustesSolution& solution) {
   constexpr int kSweeps = 6;  // converges quadratically; four do for nearly all
-  constexpr double kLeastRatio = 1e-4;
+  constexpr double kMinRatio = 1e-4;
   Eigen::Matrix3d A = H;
   Eigen::Matrix3d V = Eigen::Matrix3d::Identity();
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -48,7 +48,7 @@ bool solveQuickly(const Eigen::Matrix3d& H, ProcrustesSolution& solution) {
   if (s[order[1]] < s[order[2]]) std::swap(order[1], order[2]);
   if (s[order[0]] < s[order[1]]) std::swap(order[0], order[1]);
   solution.singular_values = {s[order[0]], s[order[1]], s[order[2]]};
-  if (!(solution.singular_values.y() > kLeastRatio * solution.singular_values.x())) return false;
+  if (!(solution.singular_values.y() > kMinRatio * solution.singular_values.x())) return false;
 
   // V diag(1, 1, det) U^T without the third pair, which the first two determine.
   const Eigen::Vector3d u_1 = A.col(order[0]) / s[order[0]];

@@ -232,7 +232,7 @@ std::map<std::string, double> readParameters(const std::string& description, std
         message("surface \"{}\": {}; expected plane, cylinder:r=M, sphere:r=M, cone:r=M,angle=RAD or torus:R=M,r=M",
                 description, what));
   };
-  constexpr double kLargest = kMostLength_m / 10;  // so that cells stay within it
+  constexpr double kLargest = kMaxLength_m / 10;  // so that cells stay within it
   std::map<std::string, double> values;
   if (!text.empty()) {
     for (const std::string& item : split(text, ',')) {

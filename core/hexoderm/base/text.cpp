@@ -42,9 +42,9 @@ std::optional<Utf8Character> firstUtf8(std::string_view text) {
     if (!continuesCharacter(c)) return std::nullopt;
     code = code << 6U | (static_cast<unsigned char>(c) & 0x3FU);
   }
-  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  constexpr std::array<std::uint32_t, 5> kMin = {0, 0, 0x80, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (code < kLeast.at(size) || code > 0x10FFFF || is_surrogate) return std::nullopt;
+  if (code < kMin.at(size) || code > 0x10FFFF || is_surrogate) return std::nullopt;
   return Utf8Character{code, size};
 }
 

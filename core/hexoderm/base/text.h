@@ -54,7 +54,7 @@ std::string inARow(const Items& items, TextOf text_of = {}, std::string_view sep
 
 /// "1, 2 and 3" of items that have a `toString`.
 template <class Items>
-std::string listInWords(const Items& items) {
+std::string listText(const Items& items) {
   std::string words;
   std::size_t index = 0;
   for (const auto& item : items) {

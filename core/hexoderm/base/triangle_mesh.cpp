@@ -33,9 +33,9 @@ BoundingBox boundingBox(const TriangleMesh& mesh) {
 }
 
 std::optional<Eigen::Vector3d> normalOf(const std::array<Eigen::Vector3d, 3>& corners) {
-  constexpr double kLeastArea_m2 = 1e-14;  // twice that of the triangle
+  constexpr double kMinArea_m2 = 1e-14;  // twice that of the triangle
   const Eigen::Vector3d area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  if (!(area.norm() > kLeastArea_m2)) return std::nullopt;
+  if (!(area.norm() > kMinArea_m2)) return std::nullopt;
   return area.normalized();
 }
 
@@ -65,9 +65,9 @@ double enclosedVolume(const TriangleMesh& mesh) {
 }
 
 bool isInsideOut(const TriangleMesh& mesh) {
-  constexpr double kLeastFilled = 0.02;
+  constexpr double kMinFilled = 0.02;
   const double box_m3 = boundingBox(mesh).size().prod();
-  return box_m3 > 0 && enclosedVolume(mesh) < -kLeastFilled * box_m3;
+  return box_m3 > 0 && enclosedVolume(mesh) < -kMinFilled * box_m3;
 }
 
 void turnInsideOut(TriangleMesh& mesh) {

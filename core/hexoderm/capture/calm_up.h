@@ -26,7 +26,7 @@ class CalmUp {
       return shown_o_;
     }
     if (comesToRest(*up_o)) return shown_o_;
-    const double part = std::max(kLeastPart, angleBetween(*shown_o_, mean_o_) / kAtOnce_rad);
+    const double part = std::max(kMinPart, angleBetween(*shown_o_, mean_o_) / kAtOnce_rad);
     shown_o_ =
         part >= 1
             ? mean_o_
@@ -36,7 +36,7 @@ class CalmUp {
 
  private:
   static constexpr double kAtOnce_rad = 4 * kDegree;
-  static constexpr double kLeastPart = 0.5;              // of the way, with every reading
+  static constexpr double kMinPart = 0.5;                // of the way, with every reading
   static constexpr double kNewest = 0.3;                 // the newest reading's share of the mean
   static constexpr double kSettled_rad = 0.3 * kDegree;  // a pixel or two at the edge of a part that fills a view
 

@@ -28,7 +28,7 @@ PoseRecorderOptions recorderOptions(const LiveCaptureOptions& options) {
   return recorder;
 }
 
-CaptureCourseOptions courseOptions(const LiveCaptureOptions& options) {
+CaptureWorkflowOptions courseOptions(const LiveCaptureOptions& options) {
   using std::chrono::seconds;
   // The disk may have room again in a moment.
   return {
@@ -74,7 +74,7 @@ struct LastingWait {
 /// What belongs to the threads of source, recorder and file is guarded by mutex_; the rest belongs to the thread that
 /// holds turn_.
 class LiveCapture::Run final : public CaptureOwner, public SkinListener, public PoseRecorderListener {
-  using Clock = CaptureCourse::Clock;
+  using Clock = CaptureWorkflow::Clock;
 
  public:
   Run(LiveCaptureOptions options, std::unique_ptr<SkinSource> source, Listener listener)
@@ -232,7 +232,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     if (options_.automatic && !skin.can_turn) {
       throw DeviceError(source_->address(), message("auto needs a device that turns by itself, and this one can't"));
     }
-    session_ = CaptureCourse::sessionOf(skin, source_->address());
+    session_ = CaptureWorkflow::sessionOf(skin, source_->address());
     if (!options_.file.empty()) {
       store_ = std::make_unique<SessionRecorder>(SessionStore::create(options_.file, *session_));
       made_ = identityOf(options_.file);
@@ -281,7 +281,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   void retryWriting() override {
     if (store_) store_->retry();
   }
-  void onCourseEvent(const CourseEvent& event) override {
+  void onWorkflowEvent(const WorkflowEvent& event) override {
     if (const auto* refused = std::get_if<FileRefused>(&event)) {
       refusal_ = refused->why;
       if (is_ended_) return;  // nobody tries again
@@ -300,7 +300,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     } else if (const auto* wanted = std::get_if<AdviceWanted>(&event)) {
       if (wanted->question.seen == result_ && !course_.isFinished()) course_.setAdvice(adviseOn(wanted->question));
     } else if (std::holds_alternative<AdviceChanged>(event)) {
-      if (course_.nextPose()) tell_(PoseAdvised{adviceInWords(*course_.nextPose(), *result_)});
+      if (course_.nextPose()) tell_(PoseAdvised{adviceText(*course_.nextPose(), *result_)});
     } else if (const auto* turn = std::get_if<TurnRefused>(&event)) {
       last_refusal_ = message("The device does not turn there: {}", turn->why);
       if (!turn->gave_up) return;
@@ -374,24 +374,24 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     // What was advised before the last pose, and what the recorder waits for then, helps nobody any more.
     if (is_ended_ || course_.isFinished()) {
       const bool is_enough = course_.isFinished() && !course_.isFileRefused();
-      state_.status = !session_   ? inRow({message("ended before a skin described itself"), firstOffence()}, ". ")
+      state_.status = !session_   ? inRow({message("ended before a skin described itself"), firstViolation()}, ". ")
                       : is_enough ? message("There are enough poses.")
                                   : message("The capture is over.");
       return;
     }
     if (!course_.nextPose() || !result_ || !course_.wantsMorePoses()) return;
     state_.up = course_.nextPose()->up;
-    state_.advice = adviceInWords(*course_.nextPose(), *result_);
+    state_.advice = adviceText(*course_.nextPose(), *result_);
   }
 
-  [[nodiscard]] Message firstOffence() const {
+  [[nodiscard]] Message firstViolation() const {
     return state_.source.offences.empty() ? Message() : inWords(state_.source.offences.front());
   }
   /// What the device does wrong goes before what is waited for.
   [[nodiscard]] Message whyNothingComes() const {
     const SourceStatus& status = state_.source;
     if (session_) return inRow({state().status, last_refusal_, status.message}, "; ");
-    return status.offences.empty() ? status.message : firstOffence();
+    return status.offences.empty() ? status.message : firstViolation();
   }
 
   /// Waits until all that was captured is on disk.
@@ -415,7 +415,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   /// What became of the file after the last pose, or of one that has no poses.
   void setFlushed(const StoreOutcome& outcome) {
     is_flushed_ = true;
-    if (!outcome.renewed.empty()) tell_(CourseEvent(FileRenewed{outcome.renewed}));
+    if (!outcome.renewed.empty()) tell_(WorkflowEvent(FileRenewed{outcome.renewed}));
     if (outcome.error.empty()) {
       not_flushed_ = {};
     } else if (not_flushed_.empty()) {
@@ -506,7 +506,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   Message device_;
   std::optional<Session> session_;
   std::unique_ptr<SessionRecorder> store_;
-  CaptureCourse course_;
+  CaptureWorkflow course_;
   std::shared_ptr<const Reconstruction> result_;
   std::deque<PoseKept> kept_;  ///< not given out yet
   std::stop_token stop_solving_;

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "hexoderm/base/message.h"
-#include "hexoderm/capture/capture_course.h"
-#include "hexoderm/capture/hold_ledger.h"
+#include "hexoderm/capture/capture_workflow.h"
 #include "hexoderm/capture/pose_recorder.h"
+#include "hexoderm/capture/stillness_statistics.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/solve/result/reconstruction.h"
@@ -45,7 +45,7 @@ struct LiveCaptureState {
   std::optional<Eigen::Vector3d> up{};  ///< the same: what to turn up, unit, frame of the largest patch
   Message device{};                     ///< what the device calls itself; empty: no skin described itself
   SourceStatus source{};                ///< of the source, up to the end of the capture
-  HoldLedger holds{};                   ///< where the time went, in which the part was watched
+  StillnessStatistics holds{};          ///< where the time went, in which the part was watched
   /// At the end of a capture that kept all its poses: why not all that the device sent was recorded; empty if it was.
   Message recording_error{};
 };
@@ -78,10 +78,10 @@ struct PoseAdvised {
 /// anything is made of it, and SourceStatus), what the recorder says of the part (HoldStatus), of either only the
 /// newest where they come faster than they are told, and what its course tells.
 using LiveCaptureEvent = std::variant<SkinDescription, CaptureBegun, SourceStatus, HoldStatus, NoPose, NoReadings,
-                                      RecordingEnded, PoseAdvised, CourseEvent>;
+                                      RecordingEnded, PoseAdvised, WorkflowEvent>;
 
-/// A live capture with a loop of its own: a CaptureCourse with its source, its session, the file that keeps it, and the
-/// solver, for programs that have no event loop. Poses are taken from it one by one:
+/// A live capture with a loop of its own: a CaptureWorkflow with its source, its session, the file that keeps it, and
+/// the solver, for programs that have no event loop. Poses are taken from it one by one:
 ///
 ///     LiveCapture capture({.source = "tcp://localhost:7700", .file = "arm.hexo"});
 ///     while (capture.next()) use(*capture.state().result);

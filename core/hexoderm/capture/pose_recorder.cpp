@@ -19,14 +19,14 @@ namespace hexoderm {
 namespace {
 
 constexpr std::uint32_t kUsualSamples = 100;  // as many as in the paper
-constexpr std::uint32_t kLeastSamples = 10;
+constexpr std::uint32_t kMinSamples = 10;
 constexpr double kConfirm_s = 0.1;
 // Means of 100 ms in one hold differ by less, with default tremor: 3 sigma are 2.5 degrees.
 constexpr double kMovedMeanwhile = 3 * kDegree;
 constexpr double kClockReset_s = 0.5;
 constexpr double kJointsKept_s = 20;  // no capture takes longer
 constexpr double kJointsLast_s = 1;
-constexpr std::size_t kMostJointReports = 100'000;
+constexpr std::size_t kMaxJointReports = 100'000;
 
 std::int64_t systemClock_ms() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
@@ -200,7 +200,7 @@ struct PoseRecorder::State {
   void addJoints(const JointReport& report) {
     if (!joints.empty() && report.time_s < joints.back().time_s) joints.clear();  // the clock began anew
     joints.push_back(report);
-    while (joints.size() > kMostJointReports || joints.front().time_s < report.time_s - kJointsKept_s)
+    while (joints.size() > kMaxJointReports || joints.front().time_s < report.time_s - kJointsKept_s)
       joints.pop_front();
   }
 
@@ -253,7 +253,7 @@ struct PoseRecorder::State {
     double rate_hz = accelerometer.rate_hz;
     const double seen_hz = detector.stillness().rate_hz;
     if (seen_hz > 0) rate_hz = std::min(rate_hz, seen_hz);
-    const double most = std::clamp(std::round(rate_hz * options.collect_s), 1.0 * kLeastSamples, 1.0 * kUsualSamples);
+    const double most = std::clamp(std::round(rate_hz * options.collect_s), 1.0 * kMinSamples, 1.0 * kUsualSamples);
     return static_cast<std::uint32_t>(most);
   }
 

@@ -31,7 +31,7 @@ SkinCheckItem checkLinks(const Reconstruction& reconstruction) {
   return item;
 }
 
-Message rangeInWords(std::span<const CellSample> readings) {
+Message rangeText(std::span<const CellSample> readings) {
   const auto [least, most] = std::minmax_element(
       readings.begin(), readings.end(),
       [](const CellSample& a, const CellSample& b) { return a.acceleration_g.norm() < b.acceleration_g.norm(); });
@@ -52,19 +52,19 @@ void checkReadings(const CellModel& model, std::span<const CellSample> readings,
     SkinCheckItem item{Severity::Warning, {}, {}};
     for (const CellSample& reading : odd) item.cells.push_back(reading.cell);
     item.message = odd.size() == 1 ? message("Cell {} reads {}: gravity is 1 g, give or take {} g", odd.front().cell,
-                                             rangeInWords(odd), Number{tolerance_g, 2})
+                                             rangeText(odd), Number{tolerance_g, 2})
                                    : message("{} cells read {}: gravity is 1 g, give or take {} g", odd.size(),
-                                             rangeInWords(odd), Number{tolerance_g, 2});
+                                             rangeText(odd), Number{tolerance_g, 2});
     items.push_back(std::move(item));
   }
   if (!silent.empty()) {
     const std::vector<CellId> cells(silent.begin(), silent.end());
-    items.push_back({Severity::Warning, message("Nothing comes from {}", cellsInWords(cells)), cells});
+    items.push_back({Severity::Warning, message("Nothing comes from {}", cellsText(cells)), cells});
   } else if (odd.empty()) {
     items.push_back({Severity::Info,
                      readings.size() == 1
-                         ? message("The cell sends and reads {}", rangeInWords(readings))
-                         : message("All {} cells send and read {}", readings.size(), rangeInWords(readings)),
+                         ? message("The cell sends and reads {}", rangeText(readings))
+                         : message("All {} cells send and read {}", readings.size(), rangeText(readings)),
                      {}});
   } else {
     items.push_back({Severity::Info,
@@ -85,7 +85,7 @@ SkinCheck checkSkin(const Reconstruction& reconstruction, std::span<const CellSa
   const std::size_t cell_count = silent.size();
   for (const CellSample& reading : readings) silent.erase(reading.cell);
 
-  check.items.push_back({Severity::Info, message("Found: {}", sizeInWords(reconstruction)), {}});
+  check.items.push_back({Severity::Info, message("Found: {}", sizeText(reconstruction)), {}});
   if (cell_count > 0) check.items.push_back(checkLinks(reconstruction));
   if (!readings.empty()) checkReadings(*reconstruction.model, readings, silent, check.items);
   for (const OddCell& cell : odd) {

@@ -12,8 +12,8 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kLeastDriftSlots = 5;
-constexpr std::size_t kLeastHoldSlots = 3;
+constexpr std::size_t kMinDriftSlots = 5;
+constexpr std::size_t kMinHoldSlots = 3;
 constexpr double kUsualWindow_s = 1.5;
 constexpr double kLongestWindow_s = 5;
 constexpr double kLongerWindow = 1.1;
@@ -35,10 +35,10 @@ constexpr double kBearableAtLast = 1.5;   // times as much in the longest window
 constexpr double kBearableOnceStill = 2;  // times as much for a part that was found still
 constexpr double kSureSlope2 = 18;        // squared slope over its variance that no noise explains
 constexpr double kChanceSlope2 = 4;       // of a squared slope over its variance, by which a limit may be exceeded
-constexpr double kLeastColour = 0.05, kMostColour = 10;
+constexpr double kMinColour = 0.05, kMaxColour = 10;
 // The mean that shows whether the part has moved is of so many samples that their noise is this share of the angle.
 constexpr double kMoveNoiseShare = 0.15;
-constexpr double kMostForMove = 25;        // samples ...
+constexpr double kMaxForMove = 25;         // samples ...
 constexpr double kLongestForMove_s = 0.5;  // ... or, if those are more, the samples of so long
 
 struct CellState {
@@ -71,7 +71,7 @@ const StillnessOptions& validated(const StillnessOptions& options) {
 }
 
 /// With one decimal, or none where it would be a zero.
-Number limitInWords(double value) { return {value, formatFixed(value, 1).ends_with(".0") ? 0 : 1}; }
+Number limitText(double value) { return {value, formatFixed(value, 1).ends_with(".0") ? 0 : 1}; }
 
 /// Counts `step_s` up while `misbehaves`, else down; whether it is (still) set aside.
 bool setAside(bool misbehaves, double step_s, double patience_s, bool was, double& misbehaved_s) {
@@ -152,8 +152,8 @@ struct StillnessDetector::State {
 
   bool layWindow() {
     window.newest = slots.newest();
-    window.drift_slots = slots.spanning(window_s, kLeastDriftSlots);
-    window.hold_slots = slots.spanning(options.hold_s, kLeastHoldSlots);
+    window.drift_slots = slots.spanning(window_s, kMinDriftSlots);
+    window.hold_slots = slots.spanning(options.hold_s, kMinHoldSlots);
     if (window.drift_slots == 0 || window.hold_slots == 0) return false;
     const double from_s = slots.start_s(window.drift_slots - 1);
     const double centre_s = (from_s + slots.end_s()) / 2, half_s = (slots.end_s() - from_s) / 2;
@@ -229,7 +229,7 @@ struct StillnessDetector::State {
     }
     if (scratch.empty()) return false;
     const double weight = slots.slotLength_s() / window_s * std::sqrt(static_cast<double>(scratch.size()));
-    const double seen = std::clamp(static_cast<double>(median(scratch)), kLeastColour, kMostColour);
+    const double seen = std::clamp(static_cast<double>(median(scratch)), kMinColour, kMaxColour);
     colour += std::min(0.5, weight) * (seen - colour);
     return true;
   }
@@ -420,7 +420,7 @@ struct StillnessDetector::State {
     const double noise_g2 =
         3 * std::max(1.0, colour) * static_cast<double>(cell < cells.size() ? cells[cell].still_g2 : 0.0F);
     const double wanted = noise_g2 > 0 ? noise_g2 / (bearable_rad * bearable_rad) : 1;
-    return slots.recent_g(cell, std::clamp(wanted, 1.0, std::max(kMostForMove, rate_hz * kLongestForMove_s)));
+    return slots.recent_g(cell, std::clamp(wanted, 1.0, std::max(kMaxForMove, rate_hz * kLongestForMove_s)));
   }
 
   void watchMove() {
@@ -451,20 +451,20 @@ struct StillnessDetector::State {
         return slots.count() == 0 || cells.empty() ? message("Waiting for samples")
                : slots.heardCount() == 0           ? message("Waiting for samples: all cells are silent")
                : is_longest ? message("Hold still: the readings scatter too much to tell whether the part turns")
-                            : message("Waiting for samples: fewer than {} s so far", limitInWords(window_s));
+                            : message("Waiting for samples: fewer than {} s so far", limitText(window_s));
       case Blocker::NotMoved:
         return message("Turn the part: it has moved {} deg since the last capture, more than {} are needed",
-                       Number{toDegrees(result.moved_rad), 1}, limitInWords(toDegrees(options.rearm_angle_rad)));
+                       Number{toDegrees(result.moved_rad), 1}, limitText(toDegrees(options.rearm_angle_rad)));
       case Blocker::Turning:
         return message("Hold still: the part turns by {} deg/s, limit {}", Number{toDegrees(result.drift_rad_s), 1},
-                       limitInWords(toDegrees(options.drift_limit_rad_s)));
+                       limitText(toDegrees(options.drift_limit_rad_s)));
       case Blocker::Shaking:
         return message("Hold still: cell {} moves {} mg, limit {}", result.excess_cell,
                        Number{1000 * result.excess_g, 0}, Number{1000 * options.excess_limit_g, 0});
       case Blocker::CellTurning:
         return message("Hold still: cell {} turns by {} deg/s against the rest, limit {}", result.turning_cell,
                        Number{toDegrees(result.turning_rad_s), 1},
-                       limitInWords(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s)));
+                       limitText(toDegrees(kRestlessTimesLimit * options.drift_limit_rad_s)));
     }
     return {};
   }

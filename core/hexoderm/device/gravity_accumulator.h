@@ -59,11 +59,11 @@ class GravityAccumulator {
 };
 
 /// Whether a sample can be used: it is finite and within the range of any accelerometer.
-inline bool isUsable(const CellSample& sample) { return isWithin(sample.acceleration_g, kMostAcceleration_g); }
+inline bool isUsable(const CellSample& sample) { return isWithin(sample.acceleration_g, kMaxAcceleration_g); }
 /// The same for a mean, which also needs at least one sample and no negative variance.
 inline bool isUsable(const CellMean& mean) {
-  return mean.count > 0 && isWithin(mean.mean_g, kMostAcceleration_g) &&
-         isWithin(mean.variance_g2, kMostAcceleration_g * kMostAcceleration_g) && mean.variance_g2.minCoeff() >= 0;
+  return mean.count > 0 && isWithin(mean.mean_g, kMaxAcceleration_g) &&
+         isWithin(mean.variance_g2, kMaxAcceleration_g * kMaxAcceleration_g) && mean.variance_g2.minCoeff() >= 0;
 }
 
 }  // namespace hexoderm

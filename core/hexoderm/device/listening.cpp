@@ -18,13 +18,14 @@ std::optional<Spread> spreadOf(const std::vector<double>& values) {
   return Spread{least, median(values), most};
 }
 
-bool hasOffence(const std::vector<Offence>& offences, OffenceKind kind) {
-  return std::ranges::find(offences, kind, &Offence::kind) != offences.end();
+bool hasViolation(const std::vector<ProtocolViolation>& offences, ProtocolViolationKind kind) {
+  return std::ranges::find(offences, kind, &ProtocolViolation::kind) != offences.end();
 }
 
-const Message* reasonOf(const std::vector<Offence>& offences, std::initializer_list<OffenceKind> kinds) {
-  for (const OffenceKind kind : kinds) {
-    const auto found = std::ranges::find(offences, kind, &Offence::kind);
+const Message* reasonOf(const std::vector<ProtocolViolation>& offences,
+                        std::initializer_list<ProtocolViolationKind> kinds) {
+  for (const ProtocolViolationKind kind : kinds) {
+    const auto found = std::ranges::find(offences, kind, &ProtocolViolation::kind);
     if (found != offences.end()) return &found->reason;
   }
   return nullptr;
@@ -54,20 +55,20 @@ std::size_t loneCells(const SkinGraph& graph) {
 void Listening::onSkin(const SkinDescription& skin) { skin_ = skin; }
 
 void Listening::addReading(Cell& cell, const Eigen::Vector3d& acceleration_g, double time_s) {
-  constexpr std::size_t kMostNorms = 512;
+  constexpr std::size_t kMaxNorms = 512;
   // A device that starts again begins with an earlier time.
   if (cell.readings > 0 && time_s > cell.last_s) {
     cell.elapsed_s += time_s - cell.last_s;
     ++cell.intervals;
   }
   cell.last_s = time_s;
-  cell.sum_g += acceleration_g.cwiseMax(-kMostAcceleration_g).cwiseMin(kMostAcceleration_g);
+  cell.sum_g += acceleration_g.cwiseMax(-kMaxAcceleration_g).cwiseMin(kMaxAcceleration_g);
   if (cell.readings++ % cell.stride != 0) return;
-  cell.norms_g.push_back(static_cast<float>(std::min(acceleration_g.norm(), kMostAcceleration_g)));
-  if (cell.norms_g.size() < kMostNorms) return;
+  cell.norms_g.push_back(static_cast<float>(std::min(acceleration_g.norm(), kMaxAcceleration_g)));
+  if (cell.norms_g.size() < kMaxNorms) return;
   // Every second one from now on, and of those that are there.
   for (std::size_t k = 0; 2 * k < cell.norms_g.size(); ++k) cell.norms_g[k] = cell.norms_g[2 * k];
-  cell.norms_g.resize(kMostNorms / 2);
+  cell.norms_g.resize(kMaxNorms / 2);
   cell.stride *= 2;
 }
 
@@ -97,7 +98,7 @@ void Listening::add(const SampleFrame& frame, Clock::time_point now) {
 }
 
 ListeningReport Listening::report() const {
-  constexpr std::uint64_t kLeastForNoise = 10;
+  constexpr std::uint64_t kMinForNoise = 10;
   constexpr double kAxes = 3;
   ListeningReport report;
   report.status = status_;
@@ -132,9 +133,9 @@ ListeningReport Listening::report() const {
     const std::vector<double> norms(cell.norms_g.begin(), cell.norms_g.end());
     heard.norm_g = spreadOf(norms);
     norms_g.insert(norms_g.end(), norms.begin(), norms.end());
-    if (cell.steps >= kLeastForNoise) {
+    if (cell.steps >= kMinForNoise) {
       heard.noise_g = std::sqrt(cell.step_sum_g2 / (2 * kAxes * static_cast<double>(cell.steps)));
-    } else if (cell.variances >= kLeastForNoise) {
+    } else if (cell.variances >= kMinForNoise) {
       heard.noise_g = std::sqrt(cell.variance_sum_g2 / (kAxes * static_cast<double>(cell.variances)));
     }
     if (heard.noise_g) noises_g.push_back(*heard.noise_g);
@@ -159,11 +160,12 @@ ListeningReport Listening::report() const {
 }
 
 void Listening::remark(ListeningReport& report) const {
-  constexpr double kLeast_s = 2;
+  constexpr double kMin_s = 2;
   constexpr double kSlow = 1.3;
-  if (host_s_ >= kLeast_s && device_s_ > 0) report.slowness = host_s_ / device_s_;
+  if (host_s_ >= kMin_s && device_s_ > 0) report.slowness = host_s_ / device_s_;
   // Times in another unit are an offence, which says more.
-  const bool is_time_known = reasonOf(report.offences, {OffenceKind::TimeUnit, OffenceKind::NoTime}) == nullptr;
+  const bool is_time_known =
+      reasonOf(report.offences, {ProtocolViolationKind::TimeUnit, ProtocolViolationKind::NoTime}) == nullptr;
   if (report.slowness && *report.slowness >= kSlow && is_time_known) {
     report.remarks.push_back(
         message("What is sent arrives {} times slower than the device's clock says: the line is too slow, or the "
@@ -183,8 +185,8 @@ void Listening::judge(ListeningReport& report) const {
   // A few readings are enough for the verdict here, which the live check still waits with.
   if (report.norm_g) {
     const char* field = has_means_ ? "samples.mean_g" : "samples";
-    std::optional<Offence> offence = offenceOfNorm(report.norm_g->median, skin_->model->accelerometer, field);
-    if (offence && !hasOffence(report.offences, offence->kind)) report.offences.push_back(std::move(*offence));
+    std::optional<ProtocolViolation> offence = offenceOfNorm(report.norm_g->median, skin_->model->accelerometer, field);
+    if (offence && !hasViolation(report.offences, offence->kind)) report.offences.push_back(std::move(*offence));
   }
   const SkinGraph graph(*skin_->model, skin_->neighbors);
   const auto isHeard = [this, &graph](std::size_t cell) { return cells_.contains(graph.cells()[cell].id); };
@@ -194,15 +196,17 @@ void Listening::judge(ListeningReport& report) const {
   const bool any_heard = report.silent_cells.size() < report.cells.size();
   if (!any_heard) {
     const Message* why =
-        reasonOf(report.offences,
-                 {OffenceKind::UnknownCell, OffenceKind::WrongLength, OffenceKind::WrongType, OffenceKind::WrongValue,
-                  OffenceKind::UnknownField, OffenceKind::NoScale, OffenceKind::RepeatedCell, OffenceKind::NoCells});
+        reasonOf(report.offences, {ProtocolViolationKind::UnknownCell, ProtocolViolationKind::WrongLength,
+                                   ProtocolViolationKind::WrongType, ProtocolViolationKind::WrongValue,
+                                   ProtocolViolationKind::UnknownField, ProtocolViolationKind::NoScale,
+                                   ProtocolViolationKind::RepeatedCell, ProtocolViolationKind::NoCells});
     report.obstacle = why != nullptr ? message("No readings came: {}", *why) : message("No readings came.");
-  } else if (const Message* unit = reasonOf(report.offences, {OffenceKind::AccelerationUnit, OffenceKind::NotGravity,
-                                                              OffenceKind::TimeUnit, OffenceKind::NoTime})) {
+  } else if (const Message* unit =
+                 reasonOf(report.offences, {ProtocolViolationKind::AccelerationUnit, ProtocolViolationKind::NotGravity,
+                                            ProtocolViolationKind::TimeUnit, ProtocolViolationKind::NoTime})) {
     report.obstacle = *unit;
   } else if (const Message* late = report.status.late_frames > report.status.frames
-                                       ? reasonOf(report.offences, {OffenceKind::TimeBackwards})
+                                       ? reasonOf(report.offences, {ProtocolViolationKind::TimeBackwards})
                                        : nullptr) {
     report.obstacle = *late;
   } else if (countsPortsFromZero(*skin_)) {
@@ -219,7 +223,7 @@ void Listening::judge(ListeningReport& report) const {
   } else if (!is_joined) {
     report.obstacle = message("No two joined cells send readings.");
   } else if (!report.rate_hz) {
-    const Message* why = reasonOf(report.offences, {OffenceKind::TimeBackwards});
+    const Message* why = reasonOf(report.offences, {ProtocolViolationKind::TimeBackwards});
     report.obstacle =
         why != nullptr ? *why : message("No cell sent two readings; a pose needs at least 10 of each cell.");
   }

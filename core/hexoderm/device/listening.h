@@ -44,11 +44,11 @@ struct ListeningReport {
   /// How many times slower than the device's clock its readings arrive, on the whole; from 2 s on. A line that is too
   /// slow, behind a buffer, has 3 where it carries a third of what is sent.
   std::optional<double> slowness;
-  std::size_t links_agreed = 0;     ///< which both ends report
-  std::size_t links_one_sided = 0;  ///< which only one end reports
-  std::size_t links_unusable = 0;   ///< left out for another reason
-  std::vector<Offence> offences;    ///< the first of each kind
-  SourceStatus status;              ///< counters at the end
+  std::size_t links_agreed = 0;             ///< which both ends report
+  std::size_t links_one_sided = 0;          ///< which only one end reports
+  std::size_t links_unusable = 0;           ///< left out for another reason
+  std::vector<ProtocolViolation> offences;  ///< the first of each kind
+  SourceStatus status;                      ///< counters at the end
   /// Why no calibration could begin; empty if one could: two joined cells send readings in g with times in
   /// microseconds.
   Message obstacle;

@@ -12,13 +12,13 @@ namespace {
 
 /// Uncalibrated sensors and a hand's motion change the median of many norms by less.
 constexpr double kNearGravity = 0.25;
-constexpr double kLeastGravity_g = 0.5;
-constexpr double kMostGravity_g = 2;
+constexpr double kMinGravity_g = 0.5;
+constexpr double kMaxGravity_g = 2;
 
 bool isNear(double norm, double unit) { return std::abs(norm / unit - 1) <= kNearGravity; }
 
-Offence unitOffence(const char* field, Message what) {
-  return {OffenceKind::AccelerationUnit, located(field, std::move(what))};
+ProtocolViolation unitViolation(const char* field, Message what) {
+  return {ProtocolViolationKind::AccelerationUnit, located(field, std::move(what))};
 }
 
 /// A factor of a thousand in words of time.
@@ -41,15 +41,15 @@ Message unitOfStep(double factor) {
 constexpr const char* kTimeField = "samples.time_us";
 
 /// A rate that is another than the one that the device states, but no other unit.
-std::optional<Offence> offenceOfRate(double step_us, double stated_hz) {
+std::optional<ProtocolViolation> offenceOfRate(double step_us, double stated_hz) {
   constexpr double kRoom = 1.5;
   const double measured_hz = 1e6 / step_us;
   if (!(stated_hz > 0) || (measured_hz < stated_hz * kRoom && measured_hz > stated_hz / kRoom)) return std::nullopt;
   if (!unitOfStep(stated_hz / measured_hz).empty() || !unitOfStep(measured_hz / stated_hz).empty()) return std::nullopt;
   const Number stated{stated_hz};
   const Number measured{measured_hz, 1};
-  return Offence{
-      OffenceKind::WrongValue,
+  return ProtocolViolation{
+      ProtocolViolationKind::WrongValue,
       located("hello.rate_hz",
               measured_hz < stated_hz
                   ? message("says {} Hz, but a cell's samples come {} times a second by the device's own clock; are "
@@ -62,54 +62,57 @@ std::optional<Offence> offenceOfRate(double step_us, double stated_hz) {
 
 }  // namespace
 
-std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& accelerometer, const char* field) {
+std::optional<ProtocolViolation> offenceOfNorm(double median_norm, const Accelerometer& accelerometer,
+                                               const char* field) {
   const Number norm{median_norm, median_norm < 10 ? 2 : 0};
-  if (median_norm >= kLeastGravity_g && median_norm <= kMostGravity_g) return std::nullopt;
+  if (median_norm >= kMinGravity_g && median_norm <= kMaxGravity_g) return std::nullopt;
   if (isNear(median_norm, kStandardGravity)) {
-    return unitOffence(field,
-                       message("the norm of the readings is {} in the median: are these m/s2? Expected g, and 1 g "
-                               "at rest (1 g is 9.80665 m/s2)",
-                               norm));
+    return unitViolation(field,
+                         message("the norm of the readings is {} in the median: are these m/s2? Expected g, and 1 g "
+                                 "at rest (1 g is 9.80665 m/s2)",
+                                 norm));
   }
   if (isNear(median_norm, 1000)) {
-    return unitOffence(
+    return unitViolation(
         field,
         message("the norm of the readings is {} in the median: are these mg? Expected g, and 1 g at rest", norm));
   }
   if (accelerometer.lsb_g > 0 && isNear(median_norm, 1 / accelerometer.lsb_g)) {
-    return unitOffence(field, message("the norm of the readings is {} in the median: are these LSB, of which the cell "
-                                      "model has {} in 1 g? Expected g, and 1 g at rest",
-                                      norm, Number{1 / accelerometer.lsb_g, 0}));
+    return unitViolation(field,
+                         message("the norm of the readings is {} in the median: are these LSB, of which the cell "
+                                 "model has {} in 1 g? Expected g, and 1 g at rest",
+                                 norm, Number{1 / accelerometer.lsb_g, 0}));
   }
-  return Offence{OffenceKind::NotGravity,
-                 located(field, message("the norm of the readings is {} g in the median, expected 1 g at rest", norm))};
+  return ProtocolViolation{
+      ProtocolViolationKind::NotGravity,
+      located(field, message("the norm of the readings is {} g in the median, expected 1 g at rest", norm))};
 }
 
 // ---- readings
 
 void ReadingCheck::restart() { *this = {}; }
 
-std::optional<Offence> ReadingCheck::add(const SampleFrame& frame, const Accelerometer& accelerometer,
-                                         const char* field) {
+std::optional<ProtocolViolation> ReadingCheck::add(const SampleFrame& frame, const Accelerometer& accelerometer,
+                                                   const char* field) {
   constexpr std::uint64_t kEvery = 4;
   constexpr std::uint32_t kFirst = 20;  // frames, which are looked at without a gap
-  constexpr std::size_t kMostCells = 64;
+  constexpr std::size_t kMaxCells = 64;
   constexpr std::uint32_t kJudgements = 4;  // a fall or a shock ends sooner
   const std::uint64_t number = frames_++;
   if (number >= kFirst && number % kEvery != 0) return std::nullopt;
   for (const CellSample& sample : frame.samples) {
-    if (norms_g_.size() >= (looked_at_ + 1) * kMostCells) break;
+    if (norms_g_.size() >= (looked_at_ + 1) * kMaxCells) break;
     norms_g_.push_back(sample.acceleration_g.norm());
   }
   for (const CellMean& mean : frame.means) {
-    if (norms_g_.size() >= (looked_at_ + 1) * kMostCells) break;
+    if (norms_g_.size() >= (looked_at_ + 1) * kMaxCells) break;
     norms_g_.push_back(mean.mean_g.norm());
   }
   if (++looked_at_ < kFirst || norms_g_.empty()) return std::nullopt;
-  std::optional<Offence> offence = offenceOfNorm(median(norms_g_), accelerometer, field);
+  std::optional<ProtocolViolation> offence = offenceOfNorm(median(norms_g_), accelerometer, field);
   norms_g_.clear();
   looked_at_ = 0;
-  const bool no_gravity = offence && offence->kind == OffenceKind::NotGravity;
+  const bool no_gravity = offence && offence->kind == ProtocolViolationKind::NotGravity;
   in_row_ = no_gravity ? in_row_ + 1 : 0;
   if (no_gravity && in_row_ < kJudgements) return std::nullopt;
   return offence;
@@ -119,8 +122,8 @@ std::optional<Offence> ReadingCheck::add(const SampleFrame& frame, const Acceler
 
 void ClockCheck::restart() { *this = {}; }
 
-std::optional<Offence> ClockCheck::addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz,
-                                             bool is_whole) {
+std::optional<ProtocolViolation> ClockCheck::addSample(CellId cell, std::uint64_t time_us, double stated_hz,
+                                                       double sensor_hz, bool is_whole) {
   constexpr std::uint32_t kSteps = 20;
   constexpr std::uint32_t kStepsOfRate = 60;  // a short hesitation counts little among so many
   if (!cell_) {
@@ -136,16 +139,16 @@ std::optional<Offence> ClockCheck::addSample(CellId cell, std::uint64_t time_us,
   if (stated_hz > 0) {
     const Message unit = unitOfStep(1e6 / stated_hz / step_us);
     if (unit.empty()) return std::nullopt;
-    return Offence{
-        OffenceKind::TimeUnit,
+    return ProtocolViolation{
+        ProtocolViolationKind::TimeUnit,
         located(kTimeField, message("a cell's samples are {} us apart, but hello.rate_hz says {} Hz: are these "
                                     "{}? Expected microseconds",
                                     Number{step_us, 0}, Number{stated_hz}, unit))};
   }
   constexpr double kTooQuick = 20;  // times as quick as the sensor itself
   if (1e6 / sensor_hz / step_us < kTooQuick) return std::nullopt;
-  return Offence{
-      OffenceKind::TimeUnit,
+  return ProtocolViolation{
+      ProtocolViolationKind::TimeUnit,
       located(kTimeField, message("a cell's samples are {} us apart, but the cell model's accelerometer has {} "
                                   "Hz: are these milliseconds? Expected microseconds",
                                   Number{step_us, 0}, Number{sensor_hz}))};
@@ -157,9 +160,9 @@ double ClockCheck::hostPerDevice(const Moment& from, const Moment& to) {
          static_cast<double>(to.device_us - from.device_us);
 }
 
-std::optional<Offence> ClockCheck::compare(std::uint64_t last_us, Clock::time_point now, Pace pace) {
-  constexpr std::uint32_t kLeastChanges = 10;
-  constexpr auto kLeastTime = std::chrono::seconds(1);
+std::optional<ProtocolViolation> ClockCheck::compare(std::uint64_t last_us, Clock::time_point now, Pace pace) {
+  constexpr std::uint32_t kMinChanges = 10;
+  constexpr auto kMinTime = std::chrono::seconds(1);
   if (pace == Pace::Free) return std::nullopt;
   if (!began_) {
     began_ = last_ = {last_us, now};
@@ -176,12 +179,12 @@ std::optional<Offence> ClockCheck::compare(std::uint64_t last_us, Clock::time_po
     changes_ = 0;
     return std::nullopt;
   }
-  if (++changes_ < kLeastChanges || now - began_->host < kLeastTime) return std::nullopt;
+  if (++changes_ < kMinChanges || now - began_->host < kMinTime) return std::nullopt;
   const Message unit = unitOfStep(hostPerDevice(*began_, moment));
   if (unit.empty()) return std::nullopt;
   const double host_s = std::chrono::duration<double>(now - began_->host).count();
-  return Offence{
-      OffenceKind::TimeUnit,
+  return ProtocolViolation{
+      ProtocolViolationKind::TimeUnit,
       located(kTimeField, message("in {} of this computer the times went on by {} us: are these {}? Expected "
                                   "microseconds",
                                   Seconds{host_s}, last_us - began_->device_us, unit))};

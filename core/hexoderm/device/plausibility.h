@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/skin/cell_model.h"
 
@@ -14,14 +14,15 @@ namespace hexoderm {
 /// What is wrong with readings whose norm is `median_norm` in the median, of cells that feel gravity (1 g) and a hand's
 /// motion at most. AccelerationUnit if it is that of gravity in another unit (m/s^2, mg, LSB), NotGravity if it is
 /// below 0.5 or above 2; nullopt if it may be g. `field` is where the readings were found.
-std::optional<Offence> offenceOfNorm(double median_norm, const Accelerometer& accelerometer, const char* field);
+std::optional<ProtocolViolation> offenceOfNorm(double median_norm, const Accelerometer& accelerometer,
+                                               const char* field);
 
 /// Judges the norms of the readings that come, of up to 64 cells of every fourth frame.
 class ReadingCheck {
  public:
   void restart();
   /// An offence as soon as enough readings say the same. `field`: where the readings were found.
-  std::optional<Offence> add(const SampleFrame& frame, const Accelerometer& accelerometer, const char* field);
+  std::optional<ProtocolViolation> add(const SampleFrame& frame, const Accelerometer& accelerometer, const char* field);
 
  private:
   std::uint64_t frames_ = 0;
@@ -40,8 +41,8 @@ class ClockCheck {
   /// The time of a cell's sample (no mean), which came after its last one. `stated_hz`: the rate by the device, 0: not
   /// known; `sensor_hz`: that of the cell model's accelerometer, which delivers no quicker.
   /// `is_whole`: no sample was lost on the way, so that the steps are those of the device.
-  std::optional<Offence> addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz,
-                                   bool is_whole);
+  std::optional<ProtocolViolation> addSample(CellId cell, std::uint64_t time_us, double stated_hz, double sensor_hz,
+                                             bool is_whole);
   /// How fast a device's times come.
   enum class Pace {
     Live,    ///< as its clock runs
@@ -49,7 +50,7 @@ class ClockCheck {
     Free,    ///< as somebody plays them
   };
   /// The last time that came, and the host's time now.
-  std::optional<Offence> compare(std::uint64_t last_us, Clock::time_point now, Pace pace);
+  std::optional<ProtocolViolation> compare(std::uint64_t last_us, Clock::time_point now, Pace pace);
 
  private:
   std::optional<CellId> cell_;  ///< whose steps are looked at

@@ -32,7 +32,7 @@ struct PoseCapture {
 
 /// Averages frames into a pose, per cell: mean, covariance of the mean (sample covariance / count) and count.
 /// Means that a device made are pooled by their counts. Cells without a sample do not appear. Samples and means that
-/// are not finite, or beyond kMostAcceleration_g, are left out.
+/// are not finite, or beyond kMaxAcceleration_g, are left out.
 PoseCapture averageFrames(std::span<const SampleFrame> frames, PoseId id, Message label);
 
 }  // namespace hexoderm

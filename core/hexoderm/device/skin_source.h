@@ -3,7 +3,7 @@
 #include "hexoderm/base/joint_angles.h"
 #include "hexoderm/base/message.h"
 #include "hexoderm/device/ground_truth.h"
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/skin/cell_model.h"
 #include "hexoderm/skin/neighbor_list.h"
@@ -56,7 +56,8 @@ struct SourceStatus {
   std::uint64_t dropped_by_device = 0;  ///< samples that it could not send, as it said last; since it started itself
   std::uint64_t skin_changes = 0;       ///< how often it described itself differently; not each is passed on
   std::uint64_t clock_restarts = 0;     ///< its clock was set back without notice
-  std::vector<Offence> offences{};  ///< what the device does wrong, the first of each kind; told as soon as it comes
+  std::vector<ProtocolViolation>
+      offences{};  ///< what the device does wrong, the first of each kind; told as soon as it comes
 };
 
 /// A device's report about itself while it streams.

@@ -9,28 +9,28 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::array<std::pair<FindingCode, OffenceKind>, 9> kOffencesOfTopologies = {
-    {{FindingCode::ReservedCellId, OffenceKind::CellIdZero},
-     {FindingCode::DuplicateCell, OffenceKind::DuplicateCell},
-     {FindingCode::UnknownPort, OffenceKind::UnknownPort},
-     {FindingCode::UnknownCell, OffenceKind::UnknownNeighbour},
-     {FindingCode::OneSidedLink, OffenceKind::OneSidedLink},
-     {FindingCode::SelfLink, OffenceKind::ContradictoryLink},
-     {FindingCode::ContradictoryLink, OffenceKind::ContradictoryLink},
-     {FindingCode::DuplicateLink, OffenceKind::ContradictoryLink},
-     {FindingCode::ForbiddenPortPair, OffenceKind::ContradictoryLink}}};
+constexpr std::array<std::pair<FindingCode, ProtocolViolationKind>, 9> kViolationsOfTopologies = {
+    {{FindingCode::ReservedCellId, ProtocolViolationKind::CellIdZero},
+     {FindingCode::DuplicateCell, ProtocolViolationKind::DuplicateCell},
+     {FindingCode::UnknownPort, ProtocolViolationKind::UnknownPort},
+     {FindingCode::UnknownCell, ProtocolViolationKind::UnknownNeighbour},
+     {FindingCode::OneSidedLink, ProtocolViolationKind::OneSidedLink},
+     {FindingCode::SelfLink, ProtocolViolationKind::ContradictoryLink},
+     {FindingCode::ContradictoryLink, ProtocolViolationKind::ContradictoryLink},
+     {FindingCode::DuplicateLink, ProtocolViolationKind::ContradictoryLink},
+     {FindingCode::ForbiddenPortPair, ProtocolViolationKind::ContradictoryLink}}};
 
 /// What a device's maker can't know from the finding alone.
-Message expectedOf(OffenceKind kind, const CellModel& model) {
+Message expectedOf(ProtocolViolationKind kind, const CellModel& model) {
   switch (kind) {
-    case OffenceKind::CellIdZero:
+    case ProtocolViolationKind::CellIdZero:
       return message("IDs of cells begin with 1");
-    case OffenceKind::UnknownPort: {
+    case ProtocolViolationKind::UnknownPort: {
       std::vector<PortNumber> ports;
       for (const Port& port : model.ports) ports.push_back(port.number);
       return message("the model's ports are {}", ports);
     }
-    case OffenceKind::OneSidedLink:
+    case ProtocolViolationKind::OneSidedLink:
       return message("both cells of a link have to list it");
     default:
       return {};
@@ -39,21 +39,22 @@ Message expectedOf(OffenceKind kind, const CellModel& model) {
 
 }  // namespace
 
-std::vector<Offence> offencesOf(const CellModel& model, const NeighborList& neighbors) {
-  std::vector<Offence> offences;
+std::vector<ProtocolViolation> offencesOf(const CellModel& model, const NeighborList& neighbors) {
+  std::vector<ProtocolViolation> offences;
   const SkinGraph graph(model, neighbors);
   for (const Finding& finding : graph.findings()) {
     const auto* const offence =
-        std::ranges::find(kOffencesOfTopologies, finding.code, &decltype(kOffencesOfTopologies)::value_type::first);
-    if (offence == kOffencesOfTopologies.end()) continue;
-    const OffenceKind kind = offence->second;
+        std::ranges::find(kViolationsOfTopologies, finding.code, &decltype(kViolationsOfTopologies)::value_type::first);
+    if (offence == kViolationsOfTopologies.end()) continue;
+    const ProtocolViolationKind kind = offence->second;
     const Message expected = expectedOf(kind, model);
     Message reason = located("topology", finding.message);
     if (!expected.empty()) reason = message("{} Expected: {}", std::move(reason), expected);
     offences.push_back({kind, std::move(reason)});
   }
   if (graph.cells().empty()) {
-    offences.push_back({OffenceKind::NoCells, located("topology.cells", message("expected at least one cell"))});
+    offences.push_back(
+        {ProtocolViolationKind::NoCells, located("topology.cells", message("expected at least one cell"))});
   }
   return offences;
 }

@@ -82,7 +82,7 @@ template <class Json, class Cell>
 void cellFields(Json& json, Cell& cell) {
   const auto sensor = [](auto& item, auto& on_cell) {
     item.object(requiredField("name", on_cell.name), defaultedField("type", on_cell.type),
-                requiredField("t_o_m", on_cell.T_o_s.t, vectorWithin(kMostLength_m)),
+                requiredField("t_o_m", on_cell.T_o_s.t, vectorWithin(kMaxLength_m)),
                 requiredField("q_o_wxyz", on_cell.T_o_s.R, AsQuaternion()));
   };
   std::optional<Eigen::Quaterniond> q;
@@ -99,15 +99,15 @@ void cellFields(Json& json, Cell& cell) {
       requiredField("id", cell.cell), optionalField("body_part", cell.body_part),
       requiredField("placed_by", cell.placed_by, kPlacedByName), requiredField("R_o_u", cell.T_o_u.R, kRotation),
       derivedField("q_o_u_wxyz", quaternion, [&](auto& in) { q = in.unitQuaternion(); }),
-      requiredField("t_o_u_m", cell.T_o_u.t, vectorWithin(kMostLength_m)),
+      requiredField("t_o_u_m", cell.T_o_u.t, vectorWithin(kMaxLength_m)),
       optionalField("cov_t_r", cell.cov_t_r, AsCovariance()),
       derivedField(
           "sigma_t_m", [&] { return sigma(0); }, look_at_sigma),
       derivedField(
           "sigma_r_rad", [&] { return sigma(3); }, look_at_sigma),
       optionalField("shape_cov_t_r", cell.shape_cov_t_r, AsCovariance()),
-      optionalField("accel_offset_g", cell.accel_offset_g, vectorWithin(kMostAcceleration_g)),
-      optionalField("accel_scale", cell.accel_scale, vectorWithin(kMostAcceleration_g)),
+      optionalField("accel_offset_g", cell.accel_offset_g, vectorWithin(kMaxAcceleration_g)),
+      optionalField("accel_scale", cell.accel_scale, vectorWithin(kMaxAcceleration_g)),
       optionalField("predecessor", cell.predecessor), requiredField("sensors", cell.sensors, Described{sensor}));
   if constexpr (kIsRead<Json>) {
     const bool is_same = !q || rotationAngle(q->toRotationMatrix().transpose() * cell.T_o_u.R) <= 1e-5;
@@ -456,7 +456,7 @@ std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text
 }
 
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path) {
-  return parseCalibrationJson(readFile(path, kMostSkinBytes), path.string());
+  return parseCalibrationJson(readFile(path, kMaxSkinBytes), path.string());
 }
 
 void writeCalibrationJson(const Reconstruction& reconstruction, const WriteBytes& write) {

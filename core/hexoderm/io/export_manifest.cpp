@@ -27,7 +27,7 @@ ManifestJson lengthUnitOf(const ExportFormatDescription& format, bool has_length
   return "m";
 }
 
-std::string coordinatesInWords(const Reconstruction& reconstruction, const ManifestFile& file) {
+std::string coordinatesText(const Reconstruction& reconstruction, const ManifestFile& file) {
   if (!file.selection.mounted.empty()) {
     std::string words;
     for (const ExportMount& mount : file.selection.mounted) {
@@ -37,7 +37,7 @@ std::string coordinatesInWords(const Reconstruction& reconstruction, const Manif
     }
     return words;
   }
-  return frameInWords(reconstruction, file.selection);
+  return frameText(reconstruction, file.selection);
 }
 
 ManifestJson patchesLeftOutOf(const Reconstruction& reconstruction, const ExportSelection& selection) {
@@ -61,7 +61,7 @@ ManifestJson fileJson(const Reconstruction& reconstruction, const ManifestFile& 
                        {"format", file.format->name},
                        {"sha256", file.sha256},
                        {"length_unit", lengthUnitOf(*file.format, contents.lengths, options)}};
-  if (contents.in_frame) json["coordinates"] = coordinatesInWords(reconstruction, file);
+  if (contents.in_frame) json["coordinates"] = coordinatesText(reconstruction, file);
   if (!file.format->not_carried.empty()) json["not_carried"] = file.format->not_carried.english();
   json["patches_left_out"] = patchesLeftOutOf(reconstruction, file.selection);
   const auto taxels = [&] { return taxelMap(*reconstruction.model, file.selection.mounted, options); };

@@ -88,7 +88,7 @@ ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& 
   const auto quality = worstUsedQuality(reconstruction);
   ExportMesh mesh;
   mesh.points = prisms.points;
-  mesh.frame = frameInWords(reconstruction, selection);
+  mesh.frame = frameText(reconstruction, selection);
   for (const PatchMesh::Polygon& polygon : prisms.polygons) mesh.polygons.push_back(polygon.points);
   for (const CellId cell : prisms.cells) {
     const auto found = quality.find(cell);

@@ -15,7 +15,7 @@ struct ExportMesh {
   std::vector<Eigen::Vector3d> points;
   std::vector<std::vector<std::uint32_t>> polygons;
   std::vector<std::uint32_t> colors;  ///< 0xRRGGBB of each point; empty: the format has none
-  std::string frame;                  ///< frameInWords(), for formats that have comments
+  std::string frame;                  ///< frameText(), for formats that have comments
 };
 
 /// The prisms in metres, every point in the colour of its cell's worst used link (grey: the cell has none). The

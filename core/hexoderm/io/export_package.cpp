@@ -61,7 +61,7 @@ PackageEntry entryOf(const Reconstruction& reconstruction, const ExportFormatDes
     entry.frame = inRow({frameOf(reconstruction, selection), unitOf(format, options)});
   }
   entry.not_carried = format.not_carried;
-  entry.left_out = leftOutInWords(patchesLeftOut(reconstruction, format.format, options));
+  entry.left_out = leftOutText(patchesLeftOut(reconstruction, format.format, options));
   return entry;
 }
 

@@ -18,7 +18,7 @@ std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& r
   return worst;
 }
 
-std::string frameInWords(const Reconstruction& reconstruction, const ExportSelection& selection) {
+std::string frameText(const Reconstruction& reconstruction, const ExportSelection& selection) {
   if (!selection.frame_link.empty()) return "in the frame of link " + selection.frame_link;
   const PatchReconstruction* only = selection.patches.size() == 1        ? selection.patches.front()
                                     : reconstruction.patches.size() == 1 ? &reconstruction.patches.front()

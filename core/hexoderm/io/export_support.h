@@ -14,7 +14,7 @@ std::unordered_map<CellId, EdgeQuality> worstUsedQuality(const Reconstruction& r
 
 /// The frame of the points, for files that say it: "in the frame of cell 7, the origin of the patch", "in the frame of
 /// link r_forearm".
-std::string frameInWords(const Reconstruction& reconstruction, const ExportSelection& selection = {});
+std::string frameText(const Reconstruction& reconstruction, const ExportSelection& selection = {});
 
 /// The placement with its rotation made orthogonal to rounding: files may state rotations with few decimals, and
 /// quaternions and angles can only say true ones.

@@ -19,7 +19,7 @@ namespace hexoderm {
 namespace {
 
 /// A robot with all its links; meshes are files of their own.
-constexpr std::uintmax_t kMostRobotBytes = 50'000'000;
+constexpr std::uintmax_t kMaxRobotBytes = 50'000'000;
 
 void appendOrigin(pugi::xml_node parent, const SE3& T) {
   appendElement(parent, "origin", {{"xyz", vectorText(T.t)}, {"rpy", vectorText(rpyFromRotation(T.R))}});
@@ -199,7 +199,7 @@ std::string urdfBytes(const UrdfContent& content) {
 }
 
 RobotUrdf readRobotUrdf(const std::filesystem::path& path) {
-  std::string text = readFile(path, kMostRobotBytes);
+  std::string text = readFile(path, kMaxRobotBytes);
   RobotModel model = RobotModel::parse(text, path);
   return {std::move(text), std::move(model)};
 }

@@ -190,7 +190,7 @@ VtpData vtpData(const Reconstruction& reconstruction, const ExportSelection& sel
   data.verts = verts.offsets.size();
   data.polys = polys.offsets.size();
   data.field_data = {textArray("units", "positions in metres, rotations in radians"),
-                     textArray("frame", frameInWords(reconstruction, selection)),
+                     textArray("frame", frameText(reconstruction, selection)),
                      textArray("cell_model", reconstruction.model->name),
                      textArray("solver", reconstruction.solver),
                      textArray("verdict", std::string(verdictName(reconstruction.assessment.level))),

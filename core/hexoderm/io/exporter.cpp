@@ -185,7 +185,7 @@ std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection&
       return objText(reconstruction, selection);
     case ExportFormat::Gltf:
       requireMesh(reconstruction, "glTF");
-      return gltfBytes(reconstruction, frameInWords(reconstruction, selection));
+      return gltfBytes(reconstruction, frameText(reconstruction, selection));
     case ExportFormat::Sdf:
       return sdfBytes(tree());
     case ExportFormat::Mjcf:
@@ -254,7 +254,7 @@ std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, E
   return left_out;
 }
 
-Message leftOutInWords(const std::vector<PatchLeftOut>& patches) {
+Message leftOutText(const std::vector<PatchLeftOut>& patches) {
   if (patches.empty()) return {};
   constexpr std::size_t kNamed = 6;
   std::vector<CellId> origins;

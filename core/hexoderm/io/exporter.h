@@ -128,7 +128,7 @@ struct PatchLeftOut {
 std::vector<PatchLeftOut> patchesLeftOut(const Reconstruction& reconstruction, ExportFormat format,
                                          const ExportOptions& options = {});
 /// "Not in the file: the patch of cell 20 (1 cell), because ..."; empty if nothing is left out.
-Message leftOutInWords(const std::vector<PatchLeftOut>& patches);
+Message leftOutText(const std::vector<PatchLeftOut>& patches);
 
 /// Writes the reconstruction in one format. Returns the files written (one; for CSV the tables that
 /// resources/formats/README.md describes and a manifest in the folder `path`). All-or-nothing: what fails leaves no

@@ -51,7 +51,7 @@ char firstCharacter(std::string_view text) {
 OpenedFile openFile(const std::filesystem::path& path, const CellModel& model_for_tum, TumAs tum) {
   if (isSessionStore(path)) return readSessionStore(path);
   if (isRecordingFile(path)) refuseRecording(path);
-  const std::string text = readFile(path, kMostSkinBytes);
+  const std::string text = readFile(path, kMaxSkinBytes);
   const std::string file = path.string();
   if (beginsAsSessionStore(text)) return parseSessionStore(text, file);
   if (text.starts_with(kRecordingBegins)) refuseRecording(path);

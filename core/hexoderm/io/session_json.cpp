@@ -51,10 +51,10 @@ auto asSamples(std::size_t usual = 0) {
     const auto covariance = [&] {
       return isUnknown(sample.cov_g2) ? std::nullopt : std::optional(upperTriangle(sample.cov_g2));
     };
-    const auto take_covariance = [&](auto& in) { AsCovariance(kMostVariance_g2).take(in, sample.cov_g2); };
+    const auto take_covariance = [&](auto& in) { AsCovariance(kMaxVariance_g2).take(in, sample.cov_g2); };
     if constexpr (!kIsRead<std::remove_cvref_t<decltype(json)>>) requireStorable(sample);
     json.object(requiredField("cell", sample.cell),
-                requiredField("mean_g", sample.mean_g, vectorWithin(kMostAcceleration_g)),
+                requiredField("mean_g", sample.mean_g, vectorWithin(kMaxAcceleration_g)),
                 derivedField("cov_g2", covariance, take_covariance), optionalField("count", sample.count),
                 optionalField("temperature_c", sample.temperature_c));
   };
@@ -79,8 +79,9 @@ void requireG(const Session& session, const std::string& file) {
   }
   if (!first) return;
   const std::string place = "poses[" + std::to_string(*first) + "].samples[0].mean_g";
-  const std::optional<Offence> offence = offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
-  if (offence && offence->kind == OffenceKind::AccelerationUnit) throw FormatError(file, offence->reason);
+  const std::optional<ProtocolViolation> offence =
+      offenceOfNorm(median(norms), session.model().accelerometer, place.c_str());
+  if (offence && offence->kind == ProtocolViolationKind::AccelerationUnit) throw FormatError(file, offence->reason);
 }
 
 SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usual_samples) {
@@ -186,7 +187,7 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
 }
 
 Session readSessionJson(const std::filesystem::path& path) {
-  return parseSessionJson(readFile(path, kMostSkinBytes), path.string());
+  return parseSessionJson(readFile(path, kMaxSkinBytes), path.string());
 }
 
 void writeSessionJson(const Session& session, const WriteBytes& write) {

@@ -63,7 +63,7 @@ class Importer {
           makeFinding(FindingCode::BodyPartBoundary,
                       message("The {} joins cells that the file places in different frames (root cells {} and {}); the "
                               "patch ends there.",
-                              linkInWords(source, target), cellAt(link.source).root, cellAt(link.target).root),
+                              linkText(source, target), cellAt(link.source).root, cellAt(link.target).root),
                       {source.cell, target.cell}, {source.port, target.port}));
     }
     if (!between.empty()) graph_.mute(between, FindingCode::BodyPartBoundary);

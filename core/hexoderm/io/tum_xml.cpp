@@ -20,7 +20,7 @@ constexpr double kRotationTolerance = 1e-6;
 /// No skin is larger; what follows from positions of 1e308 m is not finite.
 constexpr double kFarthest_m = 1000;
 /// Tens of thousands of cells; an element of four bytes takes about 70 in memory.
-constexpr std::size_t kMostXmlMegabytes = 50;
+constexpr std::size_t kMaxXmlMegabytes = 50;
 
 /// Reads one file; knows where it is for its complaints.
 class TumReader {
@@ -28,8 +28,8 @@ class TumReader {
   TumReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   TumSkinConfig read() {
-    if (text_.size() > kMostXmlMegabytes * 1'000'000) {
-      throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMostXmlMegabytes));
+    if (text_.size() > kMaxXmlMegabytes * 1'000'000) {
+      throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMaxXmlMegabytes));
     }
     const pugi::xml_parse_result parsed = document_.load_buffer(text_.data(), text_.size());
     if (!parsed) {

@@ -144,7 +144,7 @@ class ColladaReader {
     const pugi::xml_attribute metres = unit.attribute("meter");
     if (!metres) return 1;
     const std::optional<double> value = meshNumber(metres.value());
-    if (!value || !(*value > 0 && *value <= kMostLength_m)) failNumbers(unit);
+    if (!value || !(*value > 0 && *value <= kMaxLength_m)) failNumbers(unit);
     return *value;
   }
 

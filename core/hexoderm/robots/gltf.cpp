@@ -289,7 +289,7 @@ class GltfReader {
   std::vector<JsonReader> views_;
   std::vector<JsonReader> buffers_;
   std::map<std::size_t, std::string> buffer_bytes_;
-  std::uintmax_t max_bytes_ = kMostFileBytes;
+  std::uintmax_t max_bytes_ = kMaxFileBytes;
 };
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include "hexoderm/base/csv.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
-#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 
@@ -17,9 +17,9 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kMostRows = 1'000'000;
-constexpr std::size_t kMostColumns = 10'000;
-constexpr std::size_t kMostNumbers = 20'000'000;  // rows times columns, of 50 bytes each in memory
+constexpr std::size_t kMaxRows = 1'000'000;
+constexpr std::size_t kMaxColumns = 10'000;
+constexpr std::size_t kMaxNumbers = 20'000'000;  // rows times columns, of 50 bytes each in memory
 
 /// A unit as columns name it.
 struct ColumnUnit {
@@ -83,7 +83,7 @@ class JointAnglesReader {
     JointAnglesTable table;
     while (nextLine()) {
       table.rows.push_back(readRow());
-      if (table.rows.size() > kMostRows || table.rows.size() * columns_.size() > kMostNumbers) {
+      if (table.rows.size() > kMaxRows || table.rows.size() * columns_.size() > kMaxNumbers) {
         fail(message("the table is too large"));
       }
     }
@@ -149,7 +149,7 @@ class JointAnglesReader {
       break;
     }
     const std::vector<std::string> titles = fields();
-    if (titles.size() > kMostColumns) fail(message("there are more than {} columns", kMostColumns));
+    if (titles.size() > kMaxColumns) fail(message("there are more than {} columns", kMaxColumns));
     std::set<std::string> seen;
     for (const std::string& title : titles) {
       Column column = columnOf(title);
@@ -171,10 +171,10 @@ class JointAnglesReader {
       if (!seen.contains(name)) missing.push_back(name);
     }
     if (missing.empty()) return;
-    constexpr std::size_t kMostNamed = 10;
-    const Message what = missing.size() <= kMostNamed ? message("these joints of the robot have no column: {}", missing)
-                                                      : message("{} joints of the robot have no column, {} among them",
-                                                                missing.size(), missing[0]);
+    constexpr std::size_t kMaxNamed = 10;
+    const Message what = missing.size() <= kMaxNamed ? message("these joints of the robot have no column: {}", missing)
+                                                     : message("{} joints of the robot have no column, {} among them",
+                                                               missing.size(), missing[0]);
     fail(inRow({what, message("expected one for each joint that can move (0 where it did not)")}, "; "));
   }
 
@@ -212,7 +212,7 @@ class JointAnglesReader {
     if (joint) failIn(title, message("this joint of the robot is fixed and has no angle"));
     std::vector<std::string> names{"pose", "time"};
     for (const RobotJoint& known : robot_.joints()) names.push_back(known.name);
-    const std::optional<std::string> meant = nearMatch(name, names);
+    const std::optional<std::string> meant = spellingSuggestion(name, names);
     failIn(title, inRow({message("the robot {} has no joint {}", robot_.name(), excerptOf(name)),
                          meant ? message("did you mean {}?", *meant)
                                : message("columns of anything else have to be taken out")},
@@ -251,7 +251,7 @@ class JointAnglesReader {
       const Column& column = columns_[k];
       if (column.joint) {
         const double position = column.factor * numberIn(column, texts[k]);
-        if (std::abs(position) > kMostJointPosition) failIn(column.title, message("{} is no joint's angle", texts[k]));
+        if (std::abs(position) > kMaxJointPosition) failIn(column.title, message("{} is no joint's angle", texts[k]));
         row.angles.positions[robot_.joints()[*column.joint].name] = position;
       } else if (key_ == RowKey::Pose) {
         row.pose = poseIn(column, texts[k]);

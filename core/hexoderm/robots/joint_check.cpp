@@ -11,7 +11,7 @@ namespace {
 constexpr double kAngleSlack = 2 * kDegree;
 constexpr double kLengthSlack_m = 0.005;
 /// A joint without limits turns on and on, but a controller reports it within a few turns.
-constexpr double kMostTurns_rad = 4 * kPi;
+constexpr double kMaxTurns_rad = 4 * kPi;
 
 double slackOf(const RobotJoint& joint) { return joint.type == JointType::Prismatic ? kLengthSlack_m : kAngleSlack; }
 
@@ -21,7 +21,7 @@ double excess(const JointLimits& limits, double position) {
 }
 
 JointLimits limitsOrTurns(const RobotJoint& joint) {
-  return joint.limits.value_or(JointLimits{-kMostTurns_rad, kMostTurns_rad});
+  return joint.limits.value_or(JointLimits{-kMaxTurns_rad, kMaxTurns_rad});
 }
 
 Message beyondLimitsMessage(const RobotJoint& joint, double position, const JointLimits& limits) {

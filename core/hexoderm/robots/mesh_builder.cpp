@@ -42,16 +42,16 @@ MeshBuilder MeshBuilder::forPart() const {
 void MeshBuilder::fail(Message why) const { throw FormatError(file_, std::move(why)); }
 
 void MeshBuilder::failTooMany(std::size_t count, Message what) const {
-  fail(message("has {} {}, but at most {} are read", count, std::move(what), kMostOfAKind));
+  fail(message("has {} {}, but at most {} are read", count, std::move(what), kMaxOfAKind));
 }
 
 void MeshBuilder::add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
   const std::size_t count = mesh_.triangles.size();
   if (count >= max_triangles_) fail(message("has more than {} triangles", max_triangles_));
   for (const Eigen::Vector3d* corner : {&a, &b, &c}) {
-    if (isWithin(*corner, kMostLength_m)) continue;
+    if (isWithin(*corner, kMaxLength_m)) continue;
     fail(message("a corner of triangle {} is not finite or farther than {} from the origin", count + 1,
-                 Number{kMostLength_m, 0}));
+                 Number{kMaxLength_m, 0}));
   }
   const std::uint32_t first = indexOf(a);
   const std::uint32_t second = indexOf(b);

@@ -24,18 +24,18 @@ class MeshBuilder {
   void allowFor(std::size_t bytes);
 
   /// The most of anything else that a reader keeps, or runs through, before it has triangles.
-  static constexpr std::size_t kMostOfAKind = 10'000'000;
+  static constexpr std::size_t kMaxOfAKind = 10'000'000;
   /// Asked before so many points of a file, or corners of one polygon or strip, take memory. Throw FormatError for more
-  /// than kMostOfAKind.
+  /// than kMaxOfAKind.
   void requireFewPoints(std::size_t count) const {
-    if (count > kMostOfAKind) failTooMany(count, message("points"));
+    if (count > kMaxOfAKind) failTooMany(count, message("points"));
   }
   void requireFewCorners(std::size_t count) const {
-    if (count > kMostOfAKind) failTooMany(count, message("corners in one polygon"));
+    if (count > kMaxOfAKind) failTooMany(count, message("corners in one polygon"));
   }
   [[noreturn]] void failTooMany(std::size_t count, Message what) const;  ///< `what`: of which there are too many
 
-  /// Throws FormatError for a corner that is not finite or beyond kMostLength_m, and for too many triangles.
+  /// Throws FormatError for a corner that is not finite or beyond kMaxLength_m, and for too many triangles.
   void add(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
   /// A polygon, as the triangles of its first corner with each of its edges. `corner(k)` is the point of corner k < n.
   /// Fewer than three corners make no triangle.

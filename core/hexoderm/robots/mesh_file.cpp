@@ -84,7 +84,7 @@ void noteMeshFile(const std::filesystem::path& file) {
   noteRead(file);
   if (!hasExtension(file, ".gltf")) return;
   try {
-    const std::string bytes = readRegularFile(file, kMostFileBytes);
+    const std::string bytes = readRegularFile(file, kMaxFileBytes);
     for (const std::filesystem::path& buffer : gltfBuffers(textOfMesh(bytes), file)) noteRead(buffer);
   } catch (const Error&) {  // said where the mesh is needed
   } catch (const std::bad_alloc&) {
@@ -93,7 +93,7 @@ void noteMeshFile(const std::filesystem::path& file) {
 
 TriangleMesh readMeshFile(const std::filesystem::path& file) {
   try {
-    return readMesh(readRegularFile(file, kMostFileBytes), file);
+    return readMesh(readRegularFile(file, kMaxFileBytes), file);
   } catch (const std::bad_alloc&) {
     throw StorageError(file.string(), message("takes more memory than there is"));
   }

@@ -56,7 +56,7 @@ class PlyReader {
       if (element.name == "vertex") {
         readPoints(element);
       } else if (!element.properties.empty()) {  // otherwise rows of no bytes, and there may be billions
-        if (element.count > MeshBuilder::kMostOfAKind) {
+        if (element.count > MeshBuilder::kMaxOfAKind) {
           mesh_.failTooMany(element.count, message("rows of the element \"{}\"", excerptOf(element.name)));
         }
         readLists(element);

@@ -4,8 +4,8 @@
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/limits.h"
-#include "hexoderm/base/near_match.h"
 #include "hexoderm/base/sha256.h"
+#include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/robots/mesh_file.h"
@@ -28,8 +28,8 @@ namespace hexoderm {
 namespace {
 
 /// The most triangles of a link's body, and what shapes that repeat may add to those of its mesh files.
-constexpr std::size_t kMostLinkTriangles = 10'000'000;
-constexpr std::size_t kMostRepeatedLinkTriangles = 2'000'000;
+constexpr std::size_t kMaxLinkTriangles = 10'000'000;
+constexpr std::size_t kMaxRepeatedLinkTriangles = 2'000'000;
 
 KDL::Vector toKdl(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 KDL::Frame toKdl(const SE3& T) {
@@ -151,16 +151,16 @@ class UrdfConverter {
     if (result.type == JointType::Fixed) return result;
 
     result.axis = vectorOf(joint.axis);
-    if (!isWithin(result.axis, kMostJointPosition)) {
-      fail(message("expected an axis of three numbers within {}", Number{kMostJointPosition, 0}));
+    if (!isWithin(result.axis, kMaxJointPosition)) {
+      fail(message("expected an axis of three numbers within {}", Number{kMaxJointPosition, 0}));
     }
     if (result.axis.norm() < 1e-6) fail(message("expected an axis, but its length is 0"));
     result.axis.normalize();
     if (joint.limits && result.type != JointType::Continuous) {
       result.limits = JointLimits{joint.limits->lower, joint.limits->upper};
-      if (!isWithin(Eigen::Vector2d(result.limits->lower, result.limits->upper), kMostJointPosition)) {
+      if (!isWithin(Eigen::Vector2d(result.limits->lower, result.limits->upper), kMaxJointPosition)) {
         fail(message("expected limits within {}; a joint without limits is of the type continuous",
-                     Number{kMostJointPosition, 0}));
+                     Number{kMaxJointPosition, 0}));
       }
       if (result.limits->lower > result.limits->upper) {
         fail(message("expected limits of which the lower is not above the upper"));
@@ -196,8 +196,8 @@ class UrdfConverter {
     if (joint == joint_index_.end()) {
       fail(message("mimics joint {}, which is not among the robot's joints", shortened(mimic.joint_name, 80)));
     }
-    if (!isWithin(Eigen::Vector2d(mimic.multiplier, mimic.offset), kMostJointPosition)) {
-      fail(message("expected a multiplier and an offset within {}", Number{kMostJointPosition, 0}));
+    if (!isWithin(Eigen::Vector2d(mimic.multiplier, mimic.offset), kMaxJointPosition)) {
+      fail(message("expected a multiplier and an offset within {}", Number{kMaxJointPosition, 0}));
     }
     return {joint->second, mimic.multiplier, mimic.offset};
   }
@@ -398,7 +398,7 @@ class RobotModel::State::BodyBuilder {
   }
 
   TriangleMesh build() const {
-    requireAtMost(std::min(kMostLinkTriangles, file_triangles_ + kMostRepeatedLinkTriangles), triangles_);
+    requireAtMost(std::min(kMaxLinkTriangles, file_triangles_ + kMaxRepeatedLinkTriangles), triangles_);
     TriangleMesh body;
     for (const Piece& piece : pieces_) append(body, transformed(scaled(*piece.mesh, piece.scale), piece.T_l_shape));
     if (!body.empty() && !hasArea(body)) {
@@ -433,7 +433,7 @@ class RobotModel::State::BodyBuilder {
     if (is_new) {
       read->second = state_.readMesh(read->first, link_);
       file_triangles_ += read->second.triangles.size();
-      requireAtMost(kMostLinkTriangles, file_triangles_);
+      requireAtMost(kMaxLinkTriangles, file_triangles_);
     }
     return {&read->second, mesh.scale};
   }
@@ -564,12 +564,12 @@ std::filesystem::path RobotModel::meshFile(const MeshShape& mesh, std::size_t li
 
 std::optional<SuspectedUnit> RobotModel::suspectedUnit(std::size_t link, const TriangleMesh& body) const {
   constexpr double kLongestLink_m = 5;
-  constexpr double kMostTimesReach = 20;
+  constexpr double kMaxTimesReach = 20;
   constexpr double kLongAnyway_m = 1;
   constexpr double kShortestLink_m = 0.001;
   const double size_m = longestSide(body);
   const bool too_long = size_m > kLongestLink_m ||
-                        (size_m > kLongAnyway_m && state_->reach_m > 0 && size_m > kMostTimesReach * state_->reach_m);
+                        (size_m > kLongAnyway_m && state_->reach_m > 0 && size_m > kMaxTimesReach * state_->reach_m);
   if (!too_long && (size_m >= kShortestLink_m || body.empty())) return std::nullopt;
 
   SuspectedUnit suspicion{size_m, too_long ? kMillimetre : 1 / kMillimetre, {}};

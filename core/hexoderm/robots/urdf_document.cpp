@@ -1,7 +1,7 @@
 #include "hexoderm/robots/urdf_document.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/robots/urdf_shapes.h"
 
@@ -16,12 +16,12 @@ namespace hexoderm {
 namespace {
 
 /// A humanoid with hands has 200 links; a file with more is made to keep a reader busy.
-constexpr std::size_t kMostUrdfLinks = 10'000;
-constexpr std::size_t kMostUrdfMegabytes = 20;
+constexpr std::size_t kMaxUrdfLinks = 10'000;
+constexpr std::size_t kMaxUrdfMegabytes = 20;
 /// URDF nests five deep, extensions for simulators a little more; urdfdom's reader is recursive.
 constexpr int kDeepestElement = 100;
 /// The reader compares each attribute with those before it.
-constexpr std::ptrdiff_t kMostAttributes = 100;
+constexpr std::ptrdiff_t kMaxAttributes = 100;
 constexpr std::size_t kLongestUrdfName = 1000;
 
 class UrdfChecker {
@@ -29,8 +29,8 @@ class UrdfChecker {
   UrdfChecker(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   UrdfDocument check() {
-    if (text_.size() > kMostUrdfMegabytes * 1'000'000) {
-      throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMostUrdfMegabytes));
+    if (text_.size() > kMaxUrdfMegabytes * 1'000'000) {
+      throw FormatError(file_, message("is too large: at most {} MB of XML are read", kMaxUrdfMegabytes));
     }
     const pugi::xml_parse_result parsed =
         document_.load_buffer(text_.data(), text_.size(), pugi::parse_default | pugi::parse_doctype);
@@ -76,8 +76,8 @@ class UrdfChecker {
     explicit DeepAndXacro(const UrdfChecker& checker) : checker_(checker) {}
     bool for_each(pugi::xml_node& node) override {
       if (depth() > kDeepestElement) checker_.fail(node, message("the elements are nested too deeply for a URDF"));
-      if (std::distance(node.attributes_begin(), node.attributes_end()) > kMostAttributes) {
-        checker_.fail(node, message("an element has more than {} attributes", kMostAttributes));
+      if (std::distance(node.attributes_begin(), node.attributes_end()) > kMaxAttributes) {
+        checker_.fail(node, message("an element has more than {} attributes", kMaxAttributes));
       }
       requireDifferentAttributes(node);
       if (std::string_view(node.name()).starts_with("xacro:")) failXacro(node, node.name());
@@ -148,7 +148,7 @@ class UrdfChecker {
       const std::string name = nameOf(node, result_.line_of_link);
       result_.line_of_link.emplace(name, lineAt(node.offset_debug()));
       result_.links.push_back({name, std::nullopt, shapesOf(node, name, "visual"), shapesOf(node, name, "collision")});
-      if (result_.links.size() > kMostUrdfLinks) fail(node, message("there are more than {} links", kMostUrdfLinks));
+      if (result_.links.size() > kMaxUrdfLinks) fail(node, message("there are more than {} links", kMaxUrdfLinks));
     }
     if (result_.links.empty()) fail(robot, message("expected links, but the robot has none"));
   }
@@ -232,14 +232,14 @@ class UrdfChecker {
   }
 
   [[noreturn]] void failLoop(const std::string& link) const {
-    constexpr std::size_t kMostNamed = 8;
+    constexpr std::size_t kMaxNamed = 8;
     std::vector<std::string> joints;
     std::string at = link;
     do {
       const JointEnds& joint = ends_[carrier_.at(at)];
       joints.push_back(joint.name);
       at = joint.parent;
-    } while (at != link && joints.size() < kMostNamed);
+    } while (at != link && joints.size() < kMaxNamed);
     std::ranges::reverse(joints);
     fail(ends_[carrier_.at(link)].node,
          message("the joints {} form a loop: a URDF is a tree, whose root no joint carries", joints));

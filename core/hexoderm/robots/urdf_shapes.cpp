@@ -55,8 +55,8 @@ MeshShape urdfMesh(const pugi::xml_node& mesh) {
   }
   if (mesh.attribute("scale")) {
     shape.scale = urdfNumbers<3>(
-        mesh, "scale", [](double value) { return value != 0 && std::abs(value) <= kMostJointPosition; },
-        message("three numbers within {}, none of them 0, separated by blanks", Number{kMostJointPosition, 0}));
+        mesh, "scale", [](double value) { return value != 0 && std::abs(value) <= kMaxJointPosition; },
+        message("three numbers within {}, none of them 0, separated by blanks", Number{kMaxJointPosition, 0}));
   }
   return shape;
 }
@@ -92,8 +92,8 @@ SE3 urdfOrigin(const pugi::xml_node& origin) {
   }
   if (origin.attribute("rpy")) {
     T.R = rotationFromRpy(urdfNumbers<3>(
-        origin, "rpy", [](double value) { return std::abs(value) <= kMostJointPosition; },
-        message("three angles within {} rad, separated by blanks", Number{kMostJointPosition, 0})));
+        origin, "rpy", [](double value) { return std::abs(value) <= kMaxJointPosition; },
+        message("three angles within {} rad, separated by blanks", Number{kMaxJointPosition, 0})));
   }
   return T;
 }

@@ -13,7 +13,7 @@ namespace hexoderm {
 namespace {
 
 /// More than anybody takes, and few enough that a file of insertions and removals is read in a moment.
-constexpr std::size_t kMostPoses = 100'000;
+constexpr std::size_t kMaxPoses = 100'000;
 
 /// Eight bytes, little-endian.
 void addNumber(std::uint64_t value, Sha256& sha) {
@@ -222,8 +222,8 @@ void JournalState::apply(const SessionEdit& edit, std::int64_t capture) {
   }
   const auto at = [this](std::size_t place) { return captures_.begin() + static_cast<std::ptrdiff_t>(place); };
   if (const auto* add = std::get_if<AddPose>(&edit)) {
-    if (captures_.size() + removed_.size() >= kMostPoses) {
-      throw InvalidArgument(message("a session holds at most {} poses", kMostPoses));
+    if (captures_.size() + removed_.size() >= kMaxPoses) {
+      throw InvalidArgument(message("a session holds at most {} poses", kMaxPoses));
     }
     hexoderm::apply(edit, *session_);
     captures_.insert(at(add->index.value_or(captures_.size())), capture);

@@ -23,7 +23,7 @@ constexpr std::size_t kSampleBytes = 4 * sizeof(std::uint32_t) + 10 * sizeof(dou
 constexpr std::uint32_t kHasTemperature = 1;
 /// Flag in a count of samples: their cells are those of the frame before.
 constexpr std::uint32_t kSameCells = 1U << 31U;
-constexpr int kMostSteps = std::numeric_limits<std::int16_t>::max();
+constexpr int kMaxSteps = std::numeric_limits<std::int16_t>::max();
 
 /// Writes into memory of a size that is known beforehand, or bounded: a pose has millions of numbers.
 class Writer {
@@ -125,7 +125,7 @@ void readSteps(Reader& in, std::uint32_t count, double step, FrameBefore& before
     for (double& value : sample.acceleration_g) {
       int& steps = before.steps[k++];
       steps += are_differences ? int{in.get<std::int8_t>()} : int{in.get<std::int16_t>()};
-      if (std::abs(steps) > kMostSteps) in.fail(message("expected readings of at most 32767 steps"));
+      if (std::abs(steps) > kMaxSteps) in.fail(message("expected readings of at most 32767 steps"));
       value = steps * step;
       if (!std::isfinite(value)) in.fail(message("expected finite numbers"));
     }
@@ -196,10 +196,10 @@ void putHead(const SampleFrame& frame, bool without_cells, Writer& out) {
 
 /// Nothing if a reading is no whole number of steps.
 std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double step) {
-  constexpr std::size_t kMostBytesOfSample = sizeof(std::uint32_t) + 3 * sizeof(std::int16_t);
+  constexpr std::size_t kMaxBytesOfSample = sizeof(std::uint32_t) + 3 * sizeof(std::int16_t);
   std::size_t most = 16;
   for (const SampleFrame& frame : frames) {
-    most += 20 + kMostBytesOfSample * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
+    most += 20 + kMaxBytesOfSample * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
   }
   Writer out(most);
   out.put(std::uint32_t{2});

@@ -25,7 +25,7 @@ template <class Json, class Truth>
 void truthFields(Json& json, Truth& truth) {
   const auto cell = [](auto& item, auto& placement) {
     item.object(requiredField("id", placement.id), requiredField("R", placement.T_b_u.R, kRotation),
-                requiredField("t_m", placement.T_b_u.t, vectorWithin(kMostLength_m)));
+                requiredField("t_m", placement.T_b_u.t, vectorWithin(kMaxLength_m)));
   };
   json.object(defaultedField("frame", truth.frame), requiredField("cells", truth.cells, Described{cell}));
 }
@@ -61,7 +61,7 @@ template <class Json, class Placement>
 void placementFields(Json& json, Placement& placement) {
   const auto point = [](auto& item, auto& known) {
     item.object(requiredField("cell", known.cell, wholeFrom(1)),
-                requiredField("x_l_m", known.x_l, vectorWithin(kMostLength_m)),
+                requiredField("x_l_m", known.x_l, vectorWithin(kMaxLength_m)),
                 requiredField("sigma_m", known.sigma_m, kPositive));
   };
   const auto distance = [](auto& item, auto& known) {
@@ -107,8 +107,8 @@ void AsJointAngles::take(const JsonReader& in, Positions& positions) const {
     JointPosition joint;
     jointFields(item, joint);
     if (joint.joint.empty()) item.failAt("joint", message("the name of a joint"));
-    if (std::abs(joint.position) > kMostJointPosition) {
-      item.failAt("position", message("a position of at most {}", Number{kMostJointPosition, 0}));
+    if (std::abs(joint.position) > kMaxJointPosition) {
+      item.failAt("position", message("a position of at most {}", Number{kMaxJointPosition, 0}));
     }
     if (!positions.emplace(joint.joint, joint.position).second) item.failAt("joint", message("each joint once"));
   }

@@ -40,7 +40,7 @@ struct AsCovariance {
 template <class Json, class Place, class... Before>
 void placeFields(Json& json, Place& place, Before... before) {
   json.object(before..., requiredField("R", place.T_l_o.R, kRotation),
-              requiredField("t_m", place.T_l_o.t, vectorWithin(kMostLength_m)),
+              requiredField("t_m", place.T_l_o.t, vectorWithin(kMaxLength_m)),
               optionalField("cov_t_r", place.cov_t_r, AsCovariance()));
 }
 

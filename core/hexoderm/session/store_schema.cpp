@@ -47,10 +47,10 @@ constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3, kVersion4};
 static_assert(kMigrations.size() == kStoreVersion);
 
 /// Reading a schema of a few entries takes a few hundred; a database can be made so that it takes for ever.
-constexpr int kMostWorkOnSchema = 1'000'000;
+constexpr int kMaxWorkOnSchema = 1'000'000;
 
 std::vector<std::string> schemaOf(Database& database) {
-  database.limitWork(kMostWorkOnSchema);
+  database.limitWork(kMaxWorkOnSchema);
   std::vector<std::string> schema;
   Statement statement(database,
                       "SELECT type || ' ' || name || ': ' || ifnull(sql, '') FROM sqlite_schema "

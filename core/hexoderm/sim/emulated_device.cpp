@@ -12,7 +12,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kMostAnswered = 1000;
+constexpr std::size_t kMaxAnswered = 1000;
 // Largest size of a message of samples in LSB: its head, an ID, and three values of two bytes.
 constexpr std::size_t kHeadBytes = 80;
 constexpr std::size_t kCellIdBytes = 3;
@@ -183,7 +183,7 @@ void EmulatedDevice::take(const skinwire::Command& command, Messages& out) {
 void EmulatedDevice::answer(std::uint32_t command, bool done, std::string text, Messages& out) {
   if (command == 0 || !has_host_) return;
   // Numbers grow: the oldest will not be asked again.
-  if (answered_.size() >= kMostAnswered) answered_.erase(answered_.begin());
+  if (answered_.size() >= kMaxAnswered) answered_.erase(answered_.begin());
   const skinwire::Ack ack{command, done, std::move(text), false};
   answered_[command] = ack;
   out.emplace_back(ack);

@@ -9,9 +9,9 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kMostCellsOfSheet = 1'000'000;
-constexpr std::size_t kMostCellsOfRing = 100'000;
-constexpr std::size_t kMostLiveCells = 100'000;
+constexpr std::size_t kMaxCellsOfSheet = 1'000'000;
+constexpr std::size_t kMaxCellsOfRing = 100'000;
+constexpr std::size_t kMaxLiveCells = 100'000;
 constexpr std::size_t kArmCells = 4;
 constexpr std::string_view kClosed = ":closed";
 
@@ -141,7 +141,7 @@ NamedPatch parsePatch(const std::string& patch) {
     const bool closed = count.ends_with(kClosed);
     if (closed) count.remove_suffix(kClosed.size());
     const std::size_t cells = parseUnsigned(count, "patch \"" + patch + "\", cells");
-    if (cells < 3 || cells > kMostCellsOfRing)
+    if (cells < 3 || cells > kMaxCellsOfRing)
       throw InvalidArgument(message("patch \"{}\": a ring has 3 to 100000 cells", patch));
     return {closed ? PatchKind::ClosedRing : PatchKind::Ring, cells, 1};
   }
@@ -151,8 +151,8 @@ NamedPatch parsePatch(const std::string& patch) {
     if (sizes.size() != 2) throw InvalidArgument(message("patch \"{}\": expected sheet:ROWSxCOLS", patch));
     const std::size_t rows = parseUnsigned(sizes[0], "patch \"" + patch + "\", rows");
     const std::size_t cols = parseUnsigned(sizes[1], "patch \"" + patch + "\", columns");
-    if (rows == 0 || cols == 0 || rows > kMostCellsOfSheet || cols > kMostCellsOfSheet ||
-        rows * cols > kMostCellsOfSheet) {
+    if (rows == 0 || cols == 0 || rows > kMaxCellsOfSheet || cols > kMaxCellsOfSheet ||
+        rows * cols > kMaxCellsOfSheet) {
       throw InvalidArgument(message("patch \"{}\": a sheet has 1 to 1000000 cells", patch));
     }
     return {PatchKind::Sheet, rows, cols};
@@ -163,9 +163,9 @@ NamedPatch parsePatch(const std::string& patch) {
 
 NamedPatch parseLivePatch(const std::string& patch) {
   const NamedPatch shape = parsePatch(patch);
-  if (shape.rows * shape.cols > kMostLiveCells) {
+  if (shape.rows * shape.cols > kMaxLiveCells) {
     throw InvalidArgument(
-        message("patch \"{}\": a live skin, or one on a robot, has at most {} cells", patch, kMostLiveCells));
+        message("patch \"{}\": a live skin, or one on a robot, has at most {} cells", patch, kMaxLiveCells));
   }
   return shape;
 }

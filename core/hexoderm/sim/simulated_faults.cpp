@@ -19,8 +19,8 @@ constexpr double kWrongGain = 1.25;
 constexpr double kYawed = 20 * kDegree;
 constexpr double kReglued = 10 * kDegree;
 constexpr double kCableReach_m = 0.1;
-constexpr double kLeastCableTurn = 40 * kDegree;
-constexpr double kMostCableTurn = 120 * kDegree;
+constexpr double kMinCableTurn = 40 * kDegree;
+constexpr double kMaxCableTurn = 120 * kDegree;
 
 CellId idOf(std::size_t cell) { return CellId(static_cast<std::uint32_t>(cell + 1)); }
 
@@ -318,7 +318,7 @@ void LinkFaults::pullCables(std::vector<TrueCell>& cells) const {
     // The cable is the same, whichever end names it.
     std::mt19937_64 random = randomStream(seed_, Stream::LinkFaults,
                                           {idOf(cable.link.source).value(), cable.link.source_port.number.value()});
-    std::uniform_real_distribution<double> any_angle(kLeastCableTurn, kMostCableTurn);
+    std::uniform_real_distribution<double> any_angle(kMinCableTurn, kMaxCableTurn);
     const double angle = any_angle(random);
     NormalSource normal(random);
     const Eigen::Vector3d turn = angle * normal.nextVector().normalized();

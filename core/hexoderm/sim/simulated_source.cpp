@@ -7,7 +7,7 @@
 #include "hexoderm/device/sources/threaded_source.h"
 #include "hexoderm/robots/demo_robot.h"
 #include "hexoderm/sim/patch_plan.h"
-#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/robot_text.h"
 
 #include <algorithm>
 #include <chrono>
@@ -115,7 +115,7 @@ class SimulatedSource final : public ThreadedSource<> {
 };
 
 struct SimulatedAddress {
-  RobotInWords words;
+  RobotText words;
   std::string motion = "hand";
   double speed = 1;
 };
@@ -126,7 +126,7 @@ SimulatedAddress parseAddress(const std::string& address) {
   const std::string name = address.substr(kPrefix.size(), query - kPrefix.size());
   const bool is_robot = name == "robot";
   SimulatedAddress parsed;
-  RobotInWords& words = parsed.words;
+  RobotText& words = parsed.words;
   std::map<std::string_view, std::string*> texts = {{"surface", &words.surface}};
   std::map<std::string_view, std::vector<std::string>*> lists;
   if (is_robot) {
@@ -178,7 +178,7 @@ std::unique_ptr<SkinSource> openAddress(const std::string& address) {
 
 /// Builds nothing, however many cells there are. Only building can tell that a patch does not fit its surface.
 void checkAddress(const std::string& address) {
-  const RobotInWords words = parseAddress(address).words;
+  const RobotText words = parseAddress(address).words;
   if (!words.robot.empty()) {
     robotOptions(words);
   } else if (!words.surface.empty()) {

@@ -15,8 +15,8 @@ namespace hexoderm {
 namespace {
 
 // Far beyond every skin, and such that squares, and one divided by them, are still numbers.
-constexpr double kLeast = 1e-12;
-constexpr double kMost = 1e9;
+constexpr double kMin = 1e-12;
+constexpr double kMax = 1e9;
 
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
@@ -61,37 +61,37 @@ void CellModel::validate() const {
     require(value >= least && value <= most,
             message("{} must be from {} to {}, found {}", what, Number{least}, Number{most}, Number{value}));
   };
-  const auto positive = [&](double value, const std::string& what, double most = kMost) {
+  const auto positive = [&](double value, const std::string& what, double most = kMax) {
     require(value > 0, message("{} must be above 0", what));
-    within(value, what, kLeast, most);
+    within(value, what, kMin, most);
   };
-  const auto notNegative = [&](double value, const std::string& what, double most = kMost) {
+  const auto notNegative = [&](double value, const std::string& what, double most = kMax) {
     require(value >= 0, message("{} must not be negative", what));
     if (value != 0) positive(value, what, most);
   };
   const auto placed = [&](const SE3& T, const std::string& what) {
-    require(isWithin(T.t, kMostCellLength_m),
-            message("{} must be within {} m", what + "t_u_m", Number{kMostCellLength_m}));
+    require(isWithin(T.t, kMaxCellLength_m),
+            message("{} must be within {} m", what + "t_u_m", Number{kMaxCellLength_m}));
     require(isRotation(T.R), message("{} must be a rotation", what + "R_u"));
   };
   require(!name.empty(), message("name must not be empty"));
-  within(side_m, "side_m", kLeastCellSide_m, kMostCellLength_m);
-  notNegative(thickness_m, "thickness_m", kMostCellLength_m);
-  notNegative(gap_m, "gap_m", kMostCellLength_m);
+  within(side_m, "side_m", kMinCellSide_m, kMaxCellLength_m);
+  notNegative(thickness_m, "thickness_m", kMaxCellLength_m);
+  notNegative(gap_m, "gap_m", kMaxCellLength_m);
   require(!ports.empty(), message("there must be at least one port"));
   std::set<PortNumber> numbers;
   for (const Port& port : ports) {
     require(numbers.insert(port.number).second, message("port {} is listed twice", port.number));
-    require(isWithin(port.vector_m, kMostCellLength_m) && port.vector_m.head<2>().norm() > 1e-9,
+    require(isWithin(port.vector_m, kMaxCellLength_m) && port.vector_m.head<2>().norm() > 1e-9,
             message("port {}: vector_m must point out of the cell's side, by at most {} m", port.number,
-                    Number{kMostCellLength_m}));
+                    Number{kMaxCellLength_m}));
   }
   for (const auto& [a, b] : forbidden_port_pairs) {
     require(findPort(a) != nullptr && findPort(b) != nullptr, message("forbidden_port_pairs names an unknown port"));
   }
   require(interface_id.value() > 0, message("interface_id must be above 0"));
-  positive(accelerometer.range_g, "accelerometer.range_g", kMostAcceleration_g);
-  notNegative(accelerometer.lsb_g, "accelerometer.lsb_g", kMostAcceleration_g);
+  positive(accelerometer.range_g, "accelerometer.range_g", kMaxAcceleration_g);
+  notNegative(accelerometer.lsb_g, "accelerometer.lsb_g", kMaxAcceleration_g);
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
   notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
   notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
@@ -103,7 +103,7 @@ void CellModel::validate() const {
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
   placed(accelerometer.T_u_a, "accelerometer.");
   for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": ");
-  require(std::abs(side_angle_rad) <= kMost, message("side_angle_rad must be within {}", Number{kMost}));
+  require(std::abs(side_angle_rad) <= kMax, message("side_angle_rad must be within {}", Number{kMax}));
   positive(link_sigma_m, "link_sigma_m");
   positive(bend_sigma_rad, "bend_sigma_rad");
   positive(twist_sigma_rad, "twist_sigma_rad");

@@ -23,8 +23,8 @@ struct Length : AsItIs {
   explicit Length(double least = 0) : least_m(least) {}
   void take(const JsonReader& in, double& length_m) const {
     length_m = in.nonNegativeNumber();
-    if (length_m < least_m || length_m > kMostCellLength_m) {
-      in.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMostCellLength_m}));
+    if (length_m < least_m || length_m > kMaxCellLength_m) {
+      in.fail(message("a length in metres, from {} to {}", Number{least_m}, Number{kMaxCellLength_m}));
     }
   }
 };
@@ -75,7 +75,7 @@ void modelFields(Json& json, Model& model) {
                  defaultedField("cross_axis_sigma", a.cross_axis_sigma, kNonNegative),
                  optionalField("shared_offset_sigma_g", a.shared_offset_sigma_g, kNonNegative));
   };
-  json.strictObject(requiredField("name", model.name), requiredField("side_m", model.side_m, Length(kLeastCellSide_m)),
+  json.strictObject(requiredField("name", model.name), requiredField("side_m", model.side_m, Length(kMinCellSide_m)),
                     requiredField("thickness_m", model.thickness_m, Length()),
                     requiredField("gap_m", model.gap_m, Length()), requiredField("ports", model.ports, Described{port}),
                     requiredField("interface_id", model.interface_id, wholeFrom(1)),

@@ -15,8 +15,8 @@ CellTable::CellTable(const std::vector<CellId>& ids) {
   const auto [least, most] = std::ranges::minmax(ids);
   first_ = least.value();
   const std::size_t range = most.value() - first_ + 1;
-  constexpr std::size_t kMostPerCell = 8;
-  if (range <= kMostPerCell * ids.size()) {
+  constexpr std::size_t kMaxPerCell = 8;
+  if (range <= kMaxPerCell * ids.size()) {
     by_id_.assign(range, kNowhere);
     for (std::size_t k = ids.size(); k-- > 0;) by_id_[ids[k].value() - first_] = static_cast<std::uint32_t>(k);
   } else {

@@ -65,14 +65,14 @@ class BucketQueue {
  public:
   /// `distance`: per vertex, also as it changes.
   BucketQueue(const FlatGraph& graph, const std::vector<double>& distance) : distance_(distance) {
-    constexpr double kMostBuckets = 4096;  // few enough where links are very unequal
+    constexpr double kMaxBuckets = 4096;  // few enough where links are very unequal
     double least = kInfiniteSum;
     double most = 0;
     for (const auto& edge : boost::make_iterator_range(edges(graph))) {
       least = std::min(least, graph[edge].weight);
       most = std::max(most, graph[edge].weight);
     }
-    per_distance_ = most > 0 ? 1 / std::max(least, most / kMostBuckets) : 1;
+    per_distance_ = most > 0 ? 1 / std::max(least, most / kMaxBuckets) : 1;
     // As many as the longest link reaches over, one that is being emptied, and one for rounding.
     buckets_.resize(std::bit_ceil(static_cast<std::size_t>(most * per_distance_) + 3));
   }
@@ -163,9 +163,9 @@ class OriginSearch {
   /// For whole weights. Distances of a few landmarks bound every other cell's sum from below by the triangle
   /// inequality.
   OriginFound runByBounds() {
-    constexpr std::size_t kMostRuns = 500;
+    constexpr std::size_t kMaxRuns = 500;
     constexpr std::size_t kEasyRuns = 20;
-    constexpr std::size_t kMostLandmarks = 64;
+    constexpr std::size_t kMaxLandmarks = 64;
     spreadLandmarks(kBoundingLandmarks);
     bound_.assign(count_, 0);
     // The most central cell by the landmarks: bounds are tight near it, and it is hard to beat.
@@ -173,12 +173,12 @@ class OriginSearch {
     if (best_ != kNoIndex) cutAt(best_);
     // On a skin whose cells are all alike (a closed torus), the bounds exclude no cell: there the search ends with the
     // best cell found, after as many runs as an operator still perceives as immediate.
-    while (runs_ < std::min(count_, kMostRuns)) {
+    while (runs_ < std::min(count_, kMaxRuns)) {
       const std::size_t next = mostPromising();
       if (next == kNoIndex) break;
       evaluate(next);
       // Few landmarks make fast cuts and are mostly enough; where they are not, bounds have to become tighter.
-      if (runs_ > kEasyRuns && landmarks_.size() < kMostLandmarks) landmarks_.push_back(distance_);
+      if (runs_ > kEasyRuns && landmarks_.size() < kMaxLandmarks) landmarks_.push_back(distance_);
       cutAt(next);
     }
     return found();
@@ -207,8 +207,8 @@ class OriginSearch {
   [[nodiscard]] OriginFound found() const { return {cells_[best_], best_sum_, runs_}; }
 
   [[nodiscard]] std::size_t mostRuns() const {
-    constexpr double kMostWork = 5e7;
-    const auto affordable = static_cast<std::size_t>(std::sqrt(kMostWork / static_cast<double>(count_)));
+    constexpr double kMaxWork = 5e7;
+    const auto affordable = static_cast<std::size_t>(std::sqrt(kMaxWork / static_cast<double>(count_)));
     return std::clamp<std::size_t>(affordable, 64, 500);
   }
 

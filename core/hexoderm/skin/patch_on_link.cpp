@@ -13,7 +13,7 @@ namespace {
   throw InvalidArgument(message("the patch of cell {}", origin), std::move(why));
 }
 
-bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMostLength_m; }
+bool isSigmaOfLength(double sigma_m) { return sigma_m > 0 && sigma_m <= kMaxLength_m; }
 
 }  // namespace
 
@@ -26,13 +26,13 @@ void RobotDescription::validate() const {
 
 void PatchPlacement::validate() const {
   for (const KnownPoint& point : points) {
-    if (!isWithin(point.x_l, kMostLength_m) || !isSigmaOfLength(point.sigma_m)) {
+    if (!isWithin(point.x_l, kMaxLength_m) || !isSigmaOfLength(point.sigma_m)) {
       failPlacement(origin, message("expected a point within {} m and a sigma above 0 for cell {}",
-                                    Number{kMostLength_m, 0}, point.cell));
+                                    Number{kMaxLength_m, 0}, point.cell));
     }
   }
   for (const KnownDistance& distance : distances) {
-    const bool is_length = distance.distance_m > 0 && distance.distance_m <= kMostLength_m;
+    const bool is_length = distance.distance_m > 0 && distance.distance_m <= kMaxLength_m;
     if (distance.a == distance.b || !is_length || !isSigmaOfLength(distance.sigma_m)) {
       failPlacement(origin, message("expected a distance above 0 between two cells, and a sigma above 0, for cell {}",
                                     distance.a));
@@ -42,8 +42,8 @@ void PatchPlacement::validate() const {
   if (place->origin != origin || place->link != link || link.empty()) {
     failPlacement(origin, message("expected a place of this patch on its link"));
   }
-  if (!isWithin(place->T_l_o.t, kMostLength_m) || !isRotation(place->T_l_o.R)) {
-    failPlacement(origin, message("expected a rotation and a translation within {} m", Number{kMostLength_m, 0}));
+  if (!isWithin(place->T_l_o.t, kMaxLength_m) || !isRotation(place->T_l_o.R)) {
+    failPlacement(origin, message("expected a rotation and a translation within {} m", Number{kMaxLength_m, 0}));
   }
   if (place->cov_t_r && !isCovariance(*place->cov_t_r)) {
     failPlacement(origin, message("expected a covariance (positive semidefinite)"));

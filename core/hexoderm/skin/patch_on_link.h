@@ -58,7 +58,7 @@ struct PatchPlacement {
   [[nodiscard]] bool isEmpty() const {
     return link.empty() && points.empty() && distances.empty() && !place && by_surface;
   }
-  /// Throws InvalidArgument for numbers that are not finite or beyond kMostLength_m, sigmas that are not above 0, a
+  /// Throws InvalidArgument for numbers that are not finite or beyond kMaxLength_m, sigmas that are not above 0, a
   /// rotation that is none, a covariance that is none, and a place that is not that of this patch on this link.
   void validate() const;
 };

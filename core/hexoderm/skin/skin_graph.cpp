@@ -26,7 +26,7 @@ struct Claim {
   std::optional<std::size_t> joined_with;  ///< the claim of the other side that it made a link with
 };
 
-Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
+Message endText(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
 
 /// Sorts the reports into links and findings.
 class ReportSorter {
@@ -119,7 +119,7 @@ class ReportSorter {
   void compare(Claim& first, const Claim& claim) {
     if (first.to == claim.to && (first.to_port == claim.to_port || !claim.to_port)) {
       add(FindingCode::DuplicateLink,
-          message("The neighbour at {} is reported more than once; it counts once.", endInWords(claim.from)),
+          message("The neighbour at {} is reported more than once; it counts once.", endText(claim.from)),
           {claim.from.cell, claim.to}, {claim.from.port});
       return;
     }
@@ -149,8 +149,8 @@ class ReportSorter {
     }
     if (isInterface(claim.to)) {
       add(FindingCode::InterfaceLink,
-          message("A computer interface (ID {}) is connected at {}.", claim.to, endInWords(claim.from)),
-          {claim.from.cell}, {claim.from.port});
+          message("A computer interface (ID {}) is connected at {}.", claim.to, endText(claim.from)), {claim.from.cell},
+          {claim.from.port});
       return false;
     }
     if (claim.to == claim.from.cell) {
@@ -224,7 +224,7 @@ class ReportSorter {
       if (back == nullptr) {
         add(FindingCode::OneSidedLink,
             message("Only cell {} reports the {}; cell {} does not report it back. The link is not used.",
-                    claim.from.cell, linkInWords(claim.from, to), to.cell),
+                    claim.from.cell, linkText(claim.from, to), to.cell),
             {claim.from.cell, to.cell}, {claim.from.port, to.port});
       }
       return;
@@ -236,8 +236,8 @@ class ReportSorter {
     addLink(claim, to.port, FindingCode::ContradictoryLink);
     add(FindingCode::ContradictoryLink,
         message("Cell {} reports {} at its port {}, but that port reports {}. Neither link is used.", claim.from.cell,
-                endInWords(to), claim.from.port,
-                back->to_port ? endInWords({back->to, *back->to_port}) : message("cell {}", back->to)),
+                endText(to), claim.from.port,
+                back->to_port ? endText({back->to, *back->to_port}) : message("cell {}", back->to)),
         {claim.from.cell, to.cell, back->to}, {claim.from.port, to.port});
   }
 
@@ -258,7 +258,7 @@ class ReportSorter {
       link.muted_by = FindingCode::ForbiddenPortPair;
       const auto& [a, b] = std::minmax(claims_[index].from, claims_[back].from);
       add(FindingCode::ForbiddenPortPair,
-          message("The {} joins ports that cell model {} forbids to join. It is not used.", linkInWords(a, b),
+          message("The {} joins ports that cell model {} forbids to join. It is not used.", linkText(a, b),
                   model_.name),
           {a.cell, b.cell}, {a.port, b.port});
     }
@@ -331,7 +331,7 @@ SkinGraph::SkinGraph(const CellModel& model, const NeighborList& neighbors) {
       const LinkEnd b = targetEnd(link);
       findings_.push_back(
           makeFinding(FindingCode::BodyPartBoundary,
-                      message("The {} joins {} and {}; the patch ends there.", linkInWords(a, b), part_a, part_b),
+                      message("The {} joins {} and {}; the patch ends there.", linkText(a, b), part_a, part_b),
                       {a.cell, b.cell}, {a.port, b.port}));
     }
   }
@@ -382,7 +382,7 @@ void SkinGraph::findPatches() {
   }
 }
 
-Message linkInWords(LinkEnd source, LinkEnd target) {
+Message linkText(LinkEnd source, LinkEnd target) {
   return message("link {} port {} - {} port {}", source.cell, source.port, target.cell, target.port);
 }
 

@@ -80,6 +80,6 @@ class SkinGraph {
 };
 
 /// "link 5 port 2 - 9 port 3", the one way a link is named in texts.
-Message linkInWords(LinkEnd source, LinkEnd target);
+Message linkText(LinkEnd source, LinkEnd target);
 
 }  // namespace hexoderm

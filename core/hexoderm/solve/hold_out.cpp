@@ -47,7 +47,9 @@ struct MotionFit {
   Matrix6d information = Matrix6d::Zero();
   PartMotion right = PartMotion::Zero();
 
-  MotionFit() { information.diagonal().tail<3>().setConstant(1 / (kSwingSigma * kSwingSigma)); }
+  MotionFit() {
+    information.diagonal().tail<3>().setConstant(1 / (kAngularAccelerationSigma * kAngularAccelerationSigma));
+  }
   void add(const Seen& seen, double sign) {
     const PartMotionJacobian X = motionJacobian(seen.at_o);
     const PartMotionJacobian weighted = seen.covariance_g2.llt().solve(X);
@@ -212,10 +214,10 @@ class HoldOut {
   /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor: it falls with the
   /// length of the window.
   [[nodiscard]] double ownVariance(std::size_t cell, std::size_t pose) const {
-    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
+    constexpr double kMin_g2 = 1e-12;  // a model may have neither noise nor steps
     const GravityTable::Entry& entry = table_.at(cell, pose);
     const double own_g2 = noise_g2_[cell] > 0 ? noise_g2_[cell] / entry.count : entry.own_variance_g2;
-    return std::max(own_g2, kLeast_g2);
+    return std::max(own_g2, kMin_g2);
   }
 
   /// Ports at which the cell has links that are not muted.
@@ -288,7 +290,7 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   if (result.cells.empty()) return result;
   result.rms_rad = rootMeanSquare(result.cells, &HoldOutCell::error_rad);
   result.expected_rms_rad = rootMeanSquare(result.cells, &HoldOutCell::expected_rad);
-  result.expected_turning_rad_s2 = std::sqrt(3.0) * kSwingSigma * kStandardGravity;
+  result.expected_turning_rad_s2 = std::sqrt(3.0) * kAngularAccelerationSigma * kStandardGravity;
   result.detectable_rad = kDetectable * result.expected_rms_rad;
   result.coarse = result.detectable_rad > kCoarse_rad;
   result.turned = result.turning_rad_s2 > kTurning.worse * result.expected_turning_rad_s2;

@@ -22,7 +22,7 @@ std::unordered_set<CellId> chooseCells(const SkinGraph& graph) {
   BreadthFirst search(graph);
   for (const std::vector<std::size_t>* patch : patches) {
     std::vector<std::size_t> cells = search.searchFrom(patch->front());
-    cells.resize(std::min(cells.size(), kMostCellsForSensors - ids.size()));
+    cells.resize(std::min(cells.size(), kMaxCellsForSensors - ids.size()));
     for (const std::size_t cell : cells) ids.insert(graph.cells()[cell].id);
   }
   return ids;
@@ -34,11 +34,11 @@ std::shared_ptr<const PoseCapture> partOf(const PoseCapture& pose, const std::un
   return part;
 }
 
-/// A skin of at most kMostCellsForSensors cells.
+/// A skin of at most kMaxCellsForSensors cells.
 SessionSnapshot partOf(const SessionSnapshot& session) {
   SessionSnapshot part = session;
   const SkinGraph graph(*session.model, *session.neighbors);
-  if (graph.cells().size() <= kMostCellsForSensors) return part;
+  if (graph.cells().size() <= kMaxCellsForSensors) return part;
   const std::unordered_set<CellId> cells = chooseCells(graph);
   NeighborList neighbors = *session.neighbors;
   std::erase_if(neighbors, [&](const CellReport& cell) { return !cells.contains(cell.id); });
@@ -52,11 +52,11 @@ SessionSnapshot partOf(const SessionSnapshot& session) {
 
 /// A sensor that is said to have no errors at all would never show any.
 Accelerometer withLeastSigmas(Accelerometer accelerometer) {
-  constexpr double kLeastOffset_g = 1e-4;
-  constexpr double kLeastGain = 1e-4;
-  accelerometer.offset_sigma_g = std::max(accelerometer.offset_sigma_g, kLeastOffset_g);
-  accelerometer.scale_sigma = std::max(accelerometer.scale_sigma, kLeastGain);
-  accelerometer.cross_axis_sigma = std::max(accelerometer.cross_axis_sigma, kLeastGain);
+  constexpr double kMinOffset_g = 1e-4;
+  constexpr double kMinGain = 1e-4;
+  accelerometer.offset_sigma_g = std::max(accelerometer.offset_sigma_g, kMinOffset_g);
+  accelerometer.scale_sigma = std::max(accelerometer.scale_sigma, kMinGain);
+  accelerometer.cross_axis_sigma = std::max(accelerometer.cross_axis_sigma, kMinGain);
   return accelerometer;
 }
 
@@ -92,9 +92,9 @@ class Estimation {
   }
 
   std::optional<SensorStatistics> run(const std::stop_token& stop) {
-    constexpr int kMostRounds = 10;
+    constexpr int kMaxRounds = 10;
     Accelerometer prior = withLeastSigmas(model_.accelerometer);
-    while (!result_.settled && result_.rounds < kMostRounds) {
+    while (!result_.settled && result_.rounds < kMaxRounds) {
       const std::optional<std::vector<SensorEvidence>> evidence = collect(prior, stop);
       if (!evidence) return std::nullopt;
       result_.sigmas = estimateSensorSigmas(*evidence, model_.accelerometer);

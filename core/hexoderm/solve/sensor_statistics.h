@@ -31,7 +31,7 @@ struct SensorStatistics {
 
 /// Cells of one session that are looked at: of a larger skin so many that hang together. They show each sigma to a few
 /// per cent, and time grows with their cube.
-inline constexpr std::size_t kMostCellsForSensors = 60;
+inline constexpr std::size_t kMaxCellsForSensors = 60;
 
 /// Estimates the sigmas of the sensors' errors from sessions with one cell model: solves them, takes from each patch
 /// what its readings say about its sensors, all else being as uncertain as it is (evidenceOfPatch()), finds the most

@@ -25,7 +25,7 @@ class CliListen : public Cli {
   }
 };
 
-const Json* findOffence(const Json& report, OffenceKind kind) {
+const Json* findViolation(const Json& report, ProtocolViolationKind kind) {
   for (const Json& offence : report.at("offences")) {
     if (offence.at("kind") == offenceName(kind)) return &offence;
   }
@@ -45,7 +45,7 @@ void expectNothingWrong(const Outcome& outcome) {
   EXPECT_EQ(report.at("obstacle"), "");
 }
 
-TEST_F(CliListen, ADeviceThatIsRightHasNoOffence) {
+TEST_F(CliListen, ADeviceThatIsRightHasNoViolation) {
   const Outcome outcome = listen(Device::right().lines(), "--json");
   expectNothingWrong(outcome);
   const Json report = Json::parse(outcome.out);
@@ -119,7 +119,7 @@ TEST_P(EveryWrongDevice, IsToldWhatIsWrong) {
   const Outcome outcome = listen(device.lines(), "--json");
   EXPECT_EQ(outcome.exit_code, wrong.is_ready ? 0 : 1) << outcome.out << outcome.err;
   const Json report = Json::parse(outcome.out);
-  const Json* offence = findOffence(report, wrong.kind);
+  const Json* offence = findViolation(report, wrong.kind);
   ASSERT_NE(offence, nullptr) << outcome.out;
   EXPECT_THAT(offence->at("reason").get<std::string>(), HasSubstr(wrong.words));
   EXPECT_GE(offence->at("count").get<int>(), 1);
@@ -135,14 +135,14 @@ TEST_P(EveryWrongDevice, IsToldWhatIsWrong) {
 
 INSTANTIATE_TEST_SUITE_P(All, EveryWrongDevice, ::testing::Range(std::size_t{0}, wrongDevices().size()));
 
-TEST_F(CliListen, TheTableHasEveryKindOfOffence) {
-  for (const OffenceKind kind : offenceKinds()) {
+TEST_F(CliListen, TheTableHasEveryKindOfViolation) {
+  for (const ProtocolViolationKind kind : offenceKinds()) {
     EXPECT_TRUE(std::ranges::find(wrongDevices(), kind, &WrongDevice::kind) != wrongDevices().end())
         << offenceName(kind);
   }
 }
 
-TEST_F(CliListen, TheReportIsReadableAndCountsEveryOffence) {
+TEST_F(CliListen, TheReportIsReadableAndCountsEveryViolation) {
   Device device = Device::right();
   device.scale(9.80665);
   device.eachSamples([](Json& s) { s["cells"][2] = 4; });
@@ -181,14 +181,14 @@ TEST_F(CliListen, CtrlCEndsItWithItsReport) {
 
 // ---- capture
 
-TEST_F(CliListen, CaptureSaysTheFirstOffenceOfEachKindAndCounts) {
+TEST_F(CliListen, CaptureSaysTheFirstViolationOfEachKindAndCounts) {
   Device device = Device::right();
   device.scale(9.80665);
   writeFileAtomically(path("device"), device.lines());
   const Outcome outcome = run("capture --source stdin --json -o a.hexo", "cat device | ");
   EXPECT_THAT(outcome.err, AllOf(HasSubstr("(acceleration-unit): "), HasSubstr("are these m/s2?")));
   const Json report = Json::parse(outcome.out);
-  ASSERT_NE(findOffence(report, OffenceKind::AccelerationUnit), nullptr) << outcome.out;
+  ASSERT_NE(findViolation(report, ProtocolViolationKind::AccelerationUnit), nullptr) << outcome.out;
 }
 
 TEST_F(CliListen, CaptureOfADeviceThatNeverDescribesItselfSaysWhy) {
@@ -199,7 +199,7 @@ TEST_F(CliListen, CaptureOfADeviceThatNeverDescribesItselfSaysWhy) {
                                  HasSubstr("ended before a skin described itself. character 5 is not JSON")));
   EXPECT_TRUE(isPrintable(outcome.err));
   const Json report = Json::parse(outcome.out);
-  const Json* offence = findOffence(report, OffenceKind::NotJson);
+  const Json* offence = findViolation(report, ProtocolViolationKind::NotJson);
   ASSERT_NE(offence, nullptr);
   EXPECT_EQ(offence->at("count"), 2);
 }

@@ -181,7 +181,7 @@ TEST_F(CliPatches, ARobotThatHasTheSkinAlreadyIsBadInputAndAJoinWithoutAPlaceIsS
   EXPECT_FALSE(exists("twice.urdf"));
 }
 
-TEST_F(CliPatches, EvaluateGivesFiguresOfEachPatchByItselfAndNoneBetweenThem) {
+TEST_F(CliPatches, EvaluateGivesMetricsOfEachPatchByItselfAndNoneBetweenThem) {
   EXPECT_THAT(
       outputOf("evaluate arm.calibration.json --fit cylinder --against arm.session.json"),
       AllOf(HasSubstr("How the patches lie to each other is not known"), HasSubstr("cylinder through 16 cell centres"),

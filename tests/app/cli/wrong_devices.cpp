@@ -14,7 +14,7 @@ namespace hexoderm {
 namespace {
 
 using Json = Device::Json;
-using Kind = OffenceKind;
+using Kind = ProtocolViolationKind;
 
 constexpr int kMessages = 300;
 constexpr int kStep_us = 10'000;

@@ -3,7 +3,7 @@
 // A skin of three cells in a row that does everything right, and devices that each do one thing wrong. Simulated: their
 // readings are made here.
 
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/device/skinwire/codec.h"
 
 #include <functional>
@@ -36,7 +36,7 @@ struct Device {
 struct WrongDevice {
   const char* name;
   std::function<void(Device&)> spoil;
-  OffenceKind kind;
+  ProtocolViolationKind kind;
   const char* words;      ///< in the reason
   bool is_ready = false;  ///< a calibration could begin all the same
 };

@@ -60,8 +60,8 @@ class KeyboardTest : public WindowTest {
   /// Everything at which Tab stops, once round.
   std::vector<QWidget*> tabStops() {
     std::vector<QWidget*> stops;
-    constexpr int kMost = 200;
-    for (int k = 0; k < kMost; ++k) {
+    constexpr int kMax = 200;
+    for (int k = 0; k < kMax; ++k) {
       key(Qt::Key_Tab);
       QWidget* focus = QApplication::focusWidget();
       expectFocusIsSeen();
@@ -84,9 +84,9 @@ class KeyboardTest : public WindowTest {
  private:
   template <class IsIt>
   void tabUntil(IsIt is_it, const QString& what, int code = Qt::Key_Tab) {
-    constexpr int kMost = 120;
+    constexpr int kMax = 120;
     QStringList passed;
-    for (int k = 0; k < kMost; ++k) {
+    for (int k = 0; k < kMax; ++k) {
       key(code, code == Qt::Key_Backtab ? Qt::ShiftModifier : Qt::NoModifier);
       ASSERT_NO_FATAL_FAILURE(expectFocusIsSeen());
       const QWidget* focus = QApplication::focusWidget();

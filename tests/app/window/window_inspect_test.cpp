@@ -53,7 +53,7 @@ class WindowInspectTest : public WindowTest {
   PatchView* patch_ = nullptr;
 };
 
-TEST_F(WindowInspectTest, OneKeyLeadsToTheWorstCellItsFiguresAndItsNeighbours) {
+TEST_F(WindowInspectTest, OneKeyLeadsToTheWorstCellItsMetricsAndItsNeighbours) {
   EXPECT_FALSE(action("actionWorstCell")->isEnabled());
   ASSERT_NO_FATAL_FAILURE(open({}));
   const Reconstruction& result = *controller().reconstruction();

@@ -119,7 +119,7 @@ TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {
   EXPECT_THAT(stand().known_fault.toStdString(), HasSubstr("pick a point of that link"));
 }
 
-TEST_F(WindowPlaceTest, PointsAndDistancesOfWrongCellsAreRefusedInWords) {
+TEST_F(WindowPlaceTest, PointsAndDistancesOfWrongCellsAreRefusedText) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   const std::size_t steps = static_cast<std::size_t>(controller().undoStack()->count());
   find<QSpinBox>("placePointCell")->setValue(999);

@@ -50,7 +50,7 @@ class WindowBrokenRecordingTest : public WindowRecordingTest {
 };
 
 // What a recording can lack in full is for the tests of its reader to find.
-TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedInWords) {
+TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedText) {
   ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
   ASSERT_NO_FATAL_FAILURE(play(writeFile("noise.skinrec", QByteArray(5000, '#'))));
   ASSERT_TRUE(waitForMessage("noise.skinrec"));

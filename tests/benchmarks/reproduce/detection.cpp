@@ -125,7 +125,7 @@ std::vector<Case> cases() {
           {"healthy", 4, {}, {}, CellId(), {}, kFalse}};
 }
 
-std::string barInWords(const Case& what) {
+std::string barText(const Case& what) {
   std::string bar;
   if (what.bar_found) bar += ">= " + formatFixed(*what.bar_found, 0) + " %";
   if (what.bar_false) bar += std::string(bar.empty() ? "" : ", ") + "<= " + formatFixed(*what.bar_false, 1) + " %";
@@ -148,7 +148,7 @@ nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
       table.add({row.what.name, std::to_string(row.what.poses),
                  row.healthy() ? "-" : formatFixed(row.found.percent(), 1) + " %",
                  formatFixed(row.false_links.percent(), 3) + " %", formatFixed(row.false_cells.percent(), 3) + " %",
-                 barInWords(row.what), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
+                 barText(row.what), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
     }
     table.print();
   }

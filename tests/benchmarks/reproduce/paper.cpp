@@ -24,13 +24,13 @@ struct PaperRow {
   std::vector<double> global;
 };
 
-struct TwoFigures {
+struct TwoMetrics {
   std::optional<double> first;
   std::optional<double> second;
 };
 struct BothMethods {
-  TwoFigures papers_method;
-  TwoFigures global;
+  TwoMetrics papers_method;
+  TwoMetrics global;
 };
 
 template <class Evaluate>
@@ -57,14 +57,14 @@ void addRows(const Trials& trials, const std::string& what, const SkinCase& skin
 }
 
 /// Paper III.1: X17 on an aluminium cylinder.
-TwoFigures evaluateShape(const SimulatedSkin& /*skin*/, const Reconstruction& result) {
+TwoMetrics evaluateShape(const SimulatedSkin& /*skin*/, const Reconstruction& result) {
   const auto surface = fitCylinder(result, kPapersRadius_m);
   if (!surface) return {};
   return {toMillimetres(*surface->delta_m), toMillimetres(*surface->epsilon_m)};
 }
 
 /// Paper III.2: a line of eight cells around a cup, the gap between its two free ends.
-TwoFigures evaluateGap(const SimulatedSkin& skin, const Reconstruction& result) {
+TwoMetrics evaluateGap(const SimulatedSkin& skin, const Reconstruction& result) {
   const auto loop = measureLoop(skin, result);
   if (!loop) return {};
   return {toMillimetres(loop->length_m), loop->percent};

@@ -23,7 +23,7 @@ constexpr double kBarAmong = 95;  ///< percent
 constexpr double kBarError_m = 0.003;
 constexpr double kBarNees = 3;
 /// 99.9 % of chi-squared with six degrees of freedom.
-constexpr double kMostSquaredDeviates = 22.46;
+constexpr double kMaxSquaredDeviates = 22.46;
 
 /// A link's body and where a patch is laid on it.
 struct PlaceBody {
@@ -158,7 +158,7 @@ PlaceRow runTrial(const PlaceCase& what, std::size_t seed) {
 
   const PlaceResult result = placePatches(task);
   const NearestPlace nearest = nearestPlace(result, T_l_o);
-  const bool is_among = nearest.squared_deviates <= kMostSquaredDeviates;
+  const bool is_among = nearest.squared_deviates <= kMaxSquaredDeviates;
   row.candidates.push_back(static_cast<double>(result.candidates.size()));
   row.among += {is_among ? 1U : 0U, 1};
   row.alone += {is_among && result.candidates.size() == 1 ? 1U : 0U, 1};

@@ -30,7 +30,7 @@ void expectFinite(const nlohmann::json& row, const std::vector<std::string>& key
   }
 }
 
-TEST_F(Reproduce, PrintsThePapersFiguresBesideOurs) {
+TEST_F(Reproduce, PrintsThePapersMetricsBesideOurs) {
   const std::string text = outputOf("--quiet --seeds 3 --only paper");
   EXPECT_THAT(text, AllOf(HasSubstr("-0.30"), HasSubstr("1.62"), HasSubstr("10.46"), HasSubstr("4.71"),
                           HasSubstr("20 mg"), HasSubstr("60 mg"), HasSubstr("100 mg"), HasSubstr("imulated")));

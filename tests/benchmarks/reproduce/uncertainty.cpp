@@ -70,8 +70,8 @@ Session withPrior(const Session& session, double prior_mg) {
 /// Settling 100 cells on a torus takes the simulator long.
 std::size_t skinsOf(const SkinCase& skin_case, const Trials& trials) {
   if (!skin_case.surface.starts_with("torus")) return trials.seeds();
-  constexpr std::size_t kMostSkins = 60;
-  return std::clamp<std::size_t>(trials.seeds() * 3 / 10, 1, kMostSkins);
+  constexpr std::size_t kMaxSkins = 60;
+  return std::clamp<std::size_t>(trials.seeds() * 3 / 10, 1, kMaxSkins);
 }
 
 UncertaintyRow runRow(const Trials& trials, const SkinCase& skin_case, double prior_mg, Band band) {

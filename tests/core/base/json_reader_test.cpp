@@ -61,8 +61,8 @@ TEST(ParseJson, GivesTheValuesOfTheLibrarysOwnParser) {
 
 TEST(ParseJson, ReadsToALimitOfLevelsAndValues) {
   const auto nested = [](std::size_t levels) { return std::string(levels, '[') + std::string(levels, ']'); };
-  EXPECT_NO_THROW(parseJson(nested(kMostJsonLevels), "f.json"));
-  EXPECT_THAT(messageOf<FormatError>([&] { parseJson(nested(kMostJsonLevels + 1), "f.json"); }),
+  EXPECT_NO_THROW(parseJson(nested(kMaxJsonLevels), "f.json"));
+  EXPECT_THAT(messageOf<FormatError>([&] { parseJson(nested(kMaxJsonLevels + 1), "f.json"); }),
               saysAll("f.json: [0][0]", "nested too deeply, at most 100 levels"));
   EXPECT_NO_THROW(parseJson("[1, {\"a\": 2}]", "f.json", 4));
   EXPECT_THAT(messageOf<FormatError>([] { parseJson("[1, {\"a\": 2}]", "f.json", 3); }),

@@ -124,10 +124,10 @@ TEST(JsonScanner, HasTheLimitsOfTheThoroughReader) {
                    })
         .has_value();
   };
-  EXPECT_NO_THROW(parseJson(nested(kMostJsonLevels), "f.json"));
-  EXPECT_TRUE(is_taken(nested(kMostJsonLevels)));
-  EXPECT_THROW(parseJson(nested(kMostJsonLevels + 1), "f.json"), FormatError);
-  EXPECT_FALSE(is_taken(nested(kMostJsonLevels + 1)));
+  EXPECT_NO_THROW(parseJson(nested(kMaxJsonLevels), "f.json"));
+  EXPECT_TRUE(is_taken(nested(kMaxJsonLevels)));
+  EXPECT_THROW(parseJson(nested(kMaxJsonLevels + 1), "f.json"), FormatError);
+  EXPECT_FALSE(is_taken(nested(kMaxJsonLevels + 1)));
   EXPECT_FALSE(is_taken("{\"x\": " + std::string(1'000'000, '[')));
 }
 
@@ -145,8 +145,8 @@ TEST(JsonScanner, CountsValuesToALimit) {
                    })
         .has_value();
   };
-  EXPECT_TRUE(is_taken(kMostScannedValues - 1)) << "with the array itself";
-  EXPECT_FALSE(is_taken(kMostScannedValues));
+  EXPECT_TRUE(is_taken(kMaxScannedValues - 1)) << "with the array itself";
+  EXPECT_FALSE(is_taken(kMaxScannedValues));
 }
 
 }  // namespace

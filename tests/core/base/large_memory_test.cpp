@@ -47,11 +47,11 @@ TEST(LargeMemory, KeepsElementsWhereItGrows) {
 }
 
 TEST(LargeMemory, MoreThanThereIsCanNotBeHad) {
-  constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
-  EXPECT_THROW(static_cast<void>(LargeAllocator<double>().allocate(kMost / 4)), std::bad_alloc);
+  constexpr std::size_t kMax = std::numeric_limits<std::size_t>::max();
+  EXPECT_THROW(static_cast<void>(LargeAllocator<double>().allocate(kMax / 4)), std::bad_alloc);
 #ifndef __SANITIZE_ADDRESS__  // which ends the process
-  EXPECT_THROW(static_cast<void>(allocateLarge(kMost - 5)), std::bad_alloc);
-  EXPECT_THROW(static_cast<void>(allocateLarge(kMost / 2)), std::bad_alloc);
+  EXPECT_THROW(static_cast<void>(allocateLarge(kMax - 5)), std::bad_alloc);
+  EXPECT_THROW(static_cast<void>(allocateLarge(kMax / 2)), std::bad_alloc);
 #endif
 }
 

@@ -126,7 +126,7 @@ struct Scripted {
   }
   template <class Event>
   [[nodiscard]] std::vector<Event> toldByCourse() const {
-    return of<Event>(told<CourseEvent>());
+    return of<Event>(told<WorkflowEvent>());
   }
   template <class Event>
   static std::vector<Event> of(const auto& events) {
@@ -146,7 +146,7 @@ struct Scripted {
 /// The event of a course.
 template <class Event>
 bool tells(const LiveCaptureEvent& event) {
-  const auto* course = std::get_if<CourseEvent>(&event);
+  const auto* course = std::get_if<WorkflowEvent>(&event);
   return course != nullptr && std::holds_alternative<Event>(*course);
 }
 
@@ -193,7 +193,7 @@ TEST(LiveCapture, AdvisesNoPoseThatTheResultDoesNotWant) {
   // Turned on request, and without a number of poses it goes on as long as somebody does.
   LiveCapture capture(LiveCaptureOptions{.source = kSkin});
   bool is_wanted = true;
-  for (std::size_t poses = 1; is_wanted && poses <= CaptureCourse::kMostPosesByItself; ++poses) {
+  for (std::size_t poses = 1; is_wanted && poses <= CaptureWorkflow::kMaxPosesByItself; ++poses) {
     ASSERT_TRUE(capture.next());
     const LiveCaptureState state = capture.state();
     is_wanted = state.result->assessment.wantsPose();
@@ -383,7 +383,7 @@ TEST(LiveCapture, TellsWhatHappensInItsOrder) {
   EXPECT_THAT(scripted.toldByCourse<PoseTaken>(), SizeIs(1));
   EXPECT_THAT(scripted.toldByCourse<PoseKept>(), SizeIs(1));
   EXPECT_TRUE(std::holds_alternative<SkinDescription>(scripted.events.front()));
-  EXPECT_THAT(scripted.toldByCourse<CourseFinished>(), SizeIs(1));
+  EXPECT_THAT(scripted.toldByCourse<WorkflowFinished>(), SizeIs(1));
   const LiveCaptureState state = scripted.capture->state();
   EXPECT_EQ(state.device.english(), "test skin");
   EXPECT_EQ(state.source.state, SourceState::Streaming);

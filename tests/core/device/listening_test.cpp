@@ -58,7 +58,7 @@ TEST(Listening, MeasuresRatesNormsAndNoise) {
   EXPECT_EQ(report.links_one_sided, 1U);
 }
 
-TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveFiguresFinite) {
+TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveMetricsFinite) {
   Listening listening = heard(0.02, 200);
   SampleFrame frame;
   frame.time_s = 0;
@@ -112,7 +112,7 @@ TEST(Listening, SaysThatALineIsTooSlow) {
   Listening listening;
   listening.onSkin(threeCells());
   SourceStatus status;
-  status.offences = {{OffenceKind::TimeUnit, message("milliseconds?")}};
+  status.offences = {{ProtocolViolationKind::TimeUnit, message("milliseconds?")}};
   listening.onStatus(status);
   for (int k = 0; k < 200; ++k) {
     SampleFrame frame;

@@ -15,17 +15,17 @@ using Pace = ClockCheck::Pace;
 
 const Accelerometer kSensor = builtInCellModel("hex-bma150").accelerometer;
 
-TEST(OffenceOfNorm, TellsUnitsByGravity) {
-  const auto kindOf = [](double norm) -> std::optional<OffenceKind> {
-    const std::optional<Offence> offence = offenceOfNorm(norm, kSensor, "field");
+TEST(ProtocolViolationOfNorm, TellsUnitsByGravity) {
+  const auto kindOf = [](double norm) -> std::optional<ProtocolViolationKind> {
+    const std::optional<ProtocolViolation> offence = offenceOfNorm(norm, kSensor, "field");
     return offence ? std::optional(offence->kind) : std::nullopt;
   };
   for (const double norm : {0.5, 0.8, 1.0, 1.3, 2.0}) EXPECT_EQ(kindOf(norm), std::nullopt) << norm;
   for (const double norm : {9.0, 9.81, 11.0, 900.0, 1000.0, 1200.0, 256.0}) {
-    EXPECT_EQ(kindOf(norm), OffenceKind::AccelerationUnit) << norm;
+    EXPECT_EQ(kindOf(norm), ProtocolViolationKind::AccelerationUnit) << norm;
   }
   for (const double norm : {0.0, 0.1, 2.5, 5.0, 64.0, 16'384.0})
-    EXPECT_EQ(kindOf(norm), OffenceKind::NotGravity) << norm;
+    EXPECT_EQ(kindOf(norm), ProtocolViolationKind::NotGravity) << norm;
   EXPECT_THAT(offenceOfNorm(9.7, kSensor, "samples.mean_g")->reason.english(),
               HasSubstr("samples.mean_g: the norm of the readings is 9.70 in the median: are these m/s2?"));
 }
@@ -46,7 +46,7 @@ TEST(ReadingCheck, IsSoonAboutUnitsAndPatientAboutShocks) {
   EXPECT_GT(frames, 100);
 }
 
-std::optional<Offence> addEvery(std::uint64_t step_us, double stated_hz, double sensor_hz = 1000) {
+std::optional<ProtocolViolation> addEvery(std::uint64_t step_us, double stated_hz, double sensor_hz = 1000) {
   ClockCheck check;
   for (std::uint64_t k = 0; k < 50; ++k) {
     if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, stated_hz, sensor_hz, true)) return offence;
@@ -69,15 +69,15 @@ TEST(ClockCheck, ComparesStepsWithTheStatedRate) {
 TEST(ClockCheck, ARateThatIsNotTheStatedOneIsSaidUnlessSamplesWereLost) {
   const auto judge = [](std::uint64_t step_us, bool is_whole) {
     ClockCheck check;
-    std::optional<Offence> found;
+    std::optional<ProtocolViolation> found;
     for (std::uint64_t k = 0; k < 100; ++k) {
       if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, 100, 1000, is_whole)) found = offence;
     }
     return found;
   };
-  const std::optional<Offence> slower = judge(35'714, true);
+  const std::optional<ProtocolViolation> slower = judge(35'714, true);
   ASSERT_TRUE(slower);
-  EXPECT_EQ(slower->kind, OffenceKind::WrongValue);
+  EXPECT_EQ(slower->kind, ProtocolViolationKind::WrongValue);
   EXPECT_THAT(slower->reason.english(),
               HasSubstr("hello.rate_hz: says 100 Hz, but a cell's samples come 28.0 times a second"));
   EXPECT_TRUE(judge(5'000, true)) << "twice as often";
@@ -87,8 +87,8 @@ TEST(ClockCheck, ARateThatIsNotTheStatedOneIsSaidUnlessSamplesWereLost) {
 }
 
 /// Times that run `factor` times as fast as the host's clock, looked at every 50 ms.
-std::optional<Offence> run(ClockCheck& check, double factor, Pace pace, int looks = 100, double start_us = 1e6,
-                           ClockCheck::Clock::time_point start = {}) {
+std::optional<ProtocolViolation> run(ClockCheck& check, double factor, Pace pace, int looks = 100,
+                                     double start_us = 1e6, ClockCheck::Clock::time_point start = {}) {
   for (int k = 0; k < looks; ++k) {
     const auto us = static_cast<std::uint64_t>(start_us + 50'000.0 * k * factor);
     if (auto offence = check.compare(us, start + milliseconds(50 * k), pace)) return offence;

@@ -24,15 +24,15 @@ TEST(TopologyCheck, TakesAWholeTopologyWithItsInterface) {
 TEST(TopologyCheck, NamesEachFaultAndWhatIsExpected) {
   const NeighborList neighbors = {
       {CellId(0), "", {}}, {CellId(1), "", {toCell(1, 2, 3), toCell(9, 2, 4)}}, {CellId(2), "", {}}};
-  const std::vector<Offence> offences = offencesOf(kModel, neighbors);
+  const std::vector<ProtocolViolation> offences = offencesOf(kModel, neighbors);
   ASSERT_EQ(offences.size(), 3U);
-  EXPECT_EQ(offences[0].kind, OffenceKind::CellIdZero);
+  EXPECT_EQ(offences[0].kind, ProtocolViolationKind::CellIdZero);
   EXPECT_THAT(offences[0].reason.english(), HasSubstr("Expected: IDs of cells begin with 1"));
-  EXPECT_EQ(offences[1].kind, OffenceKind::UnknownPort);
+  EXPECT_EQ(offences[1].kind, ProtocolViolationKind::UnknownPort);
   EXPECT_THAT(offences[1].reason.english(), HasSubstr("Expected: the model's ports are 1, 2, 3 and 4"));
-  EXPECT_EQ(offences[2].kind, OffenceKind::OneSidedLink);
+  EXPECT_EQ(offences[2].kind, ProtocolViolationKind::OneSidedLink);
   ASSERT_EQ(offencesOf(kModel, {}).size(), 1U);
-  EXPECT_EQ(offencesOf(kModel, {})[0].kind, OffenceKind::NoCells);
+  EXPECT_EQ(offencesOf(kModel, {})[0].kind, ProtocolViolationKind::NoCells);
 }
 
 }  // namespace

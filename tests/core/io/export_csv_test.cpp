@@ -65,7 +65,7 @@ TEST_F(ExportCsv, WritesSixTablesAndWhatTheyAre) {
                                    "out/poses.csv", "out/residuals.csv", "out/sensors.csv"));
 }
 
-TEST_F(ExportCsv, HoldsLinksAndTheirFigures) {
+TEST_F(ExportCsv, HoldsLinksAndTheirMetrics) {
   const std::string links = exported("links.csv");
   EXPECT_THAT(column(links, "source_cell"), ElementsAre("3", "7", "7", "7"));
   EXPECT_THAT(column(links, "target_port"), ElementsAre("3", "4", "3", "1"));

@@ -56,7 +56,7 @@ TEST_F(ExportSelections, WhatIsNotOnTheLinkIsLeftOutAndSaid) {
     const auto left_out = patchesLeftOut(reconstruction_, format, options_);
     ASSERT_EQ(left_out.size(), 1U);
     EXPECT_EQ(
-        leftOutInWords(left_out).english(),
+        leftOutText(left_out).english(),
         "Not in the file: the patch of cell 7 (3 cells), because it is not placed on a link that the file holds.");
   }
 }

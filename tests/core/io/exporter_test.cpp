@@ -192,22 +192,22 @@ INSTANTIATE_TEST_SUITE_P(Formats, EveryExport, kEveryFormat, nameOf);
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExportOfPatches, kEveryFormat, nameOf);
 
 TEST(PatchesLeftOut, AreNamedOrCounted) {
-  EXPECT_TRUE(leftOutInWords({}).empty());
+  EXPECT_TRUE(leftOutText({}).empty());
   const PatchLeftOut one{PatchId(1), CellId(20), {CellId(20)}};
-  EXPECT_EQ(leftOutInWords({one}).english(),
+  EXPECT_EQ(leftOutText({one}).english(),
             "Not in the file: the patch of cell 20 (1 cell), because how it lies to the exported patch is not known.");
   const PatchLeftOut other{PatchId(2), CellId(31), {CellId(31), CellId(32)}};
-  EXPECT_EQ(leftOutInWords({one, other}).english(),
+  EXPECT_EQ(leftOutText({one, other}).english(),
             "Not in the file: the patches of cells 20 and 31 (3 cells), because how they lie to the exported patch is "
             "not known.");
-  EXPECT_THAT(leftOutInWords(std::vector<PatchLeftOut>(4000, one)).english(),
+  EXPECT_THAT(leftOutText(std::vector<PatchLeftOut>(4000, one)).english(),
               HasSubstr("Not in the file: 4000 patches (4000 cells)"));
 }
 
 TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
   Reconstruction reconstruction = makeTestReconstruction();
   for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
-    reconstruction.patches[0].cells[2].T_o_u.t.x() = kMostLength_m;
+    reconstruction.patches[0].cells[2].T_o_u.t.x() = kMaxLength_m;
     EXPECT_NO_THROW(exportBytes(reconstruction, format, {}, "f"));
     reconstruction.patches[0].cells[2].T_o_u.t.x() = -1e36;
     EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}, "f"); }),

@@ -159,8 +159,8 @@ TEST(ExtremeNumbers, SeveralAtOnceAreUsed) {
 
 /// The largest of everything that is accepted, in every cell.
 TEST(ExtremeNumbers, TheLargestReadingsAreUsed) {
-  for (const double reading_g : {kMostAcceleration_g, 1e-6 * kMostAcceleration_g, 1e-300}) {
-    for (const double variance_g2 : {0.0, 5e-324, 1e-12, kMostVariance_g2}) {
+  for (const double reading_g : {kMaxAcceleration_g, 1e-6 * kMaxAcceleration_g, 1e-300}) {
+    for (const double variance_g2 : {0.0, 5e-324, 1e-12, kMaxVariance_g2}) {
       Json document = sessionDocument();
       double sign = 1;
       for (Json& pose : document["poses"]) {
@@ -180,7 +180,7 @@ class ExtremeExports : public ExportTest {};
 
 TEST_F(ExtremeExports, AllFormatsHoldThem) {
   Json document = sessionDocument();
-  document["poses"][0]["samples"][1]["mean_g"] = {kMostAcceleration_g, -kMostAcceleration_g, 0};
+  document["poses"][0]["samples"][1]["mean_g"] = {kMaxAcceleration_g, -kMaxAcceleration_g, 0};
   for (Json& port : document["cell_model"]["ports"]) {
     port["vector_m"] = {port["vector_m"][0].get<double>() * 50, port["vector_m"][1].get<double>() * 50, 0};
   }
@@ -204,7 +204,7 @@ TEST_F(ExtremeExports, AStoreRefusesWhatAFileDoes) {
     capture.samples[0].cov_g2(1, 1) = variance_g2;
     return std::vector<StoreOperation>{AddPose{{std::make_shared<const PoseCapture>(std::move(capture))}}};
   };
-  EXPECT_NO_THROW(store.append(poseOf(-kMostAcceleration_g, kMostVariance_g2)));
+  EXPECT_NO_THROW(store.append(poseOf(-kMaxAcceleration_g, kMaxVariance_g2)));
   EXPECT_THROW(store.append(poseOf(1e7, 1)), InvalidArgument);
   EXPECT_THROW(store.append(poseOf(-1e308, 1)), InvalidArgument);
   EXPECT_THROW(store.append(poseOf(1, 1e14)), InvalidArgument);

@@ -35,7 +35,7 @@ const RobotModel& robot() {
 JointAnglesTable parse(const std::string& text, bool missing_are_zero = false) {
   return parseJointAnglesCsv(text, "a.csv", robot(), {missing_are_zero});
 }
-std::string csvComplaint(const std::string& text, bool missing_are_zero = false) {
+std::string csvError(const std::string& text, bool missing_are_zero = false) {
   return messageOf<FormatError>([&] { parse(text, missing_are_zero); });
 }
 
@@ -64,12 +64,12 @@ TEST(JointAnglesCsv, ReadsDecimalCommasWhereColumnsAreSeparatedOtherwise) {
   EXPECT_EQ(table.rows[0].angles.positions.at("wrist"), -1.25);
   EXPECT_EQ(table.rows[0].angles.positions.at("tilt_deg"), 2.5);
   EXPECT_EQ(table.rows[0].angles.positions.at("lift"), 0.1);
-  EXPECT_THAT(csvComplaint("pose;elbow[rad];wrist[rad];tilt_deg[rad];lift[m]\n1;1.000,5;0;0;0\n"),
+  EXPECT_THAT(csvError("pose;elbow[rad];wrist[rad];tilt_deg[rad];lift[m]\n1;1.000,5;0;0;0\n"),
               saysAll("line 2", "expected a number", "1.000,5"));
 }
 
 TEST(JointAnglesCsv, SaysWhatToDoAboutColumnsOfAnythingElse) {
-  EXPECT_THAT(csvComplaint("pose,elbow[rad],battery_voltage\n1,0,12\n"),
+  EXPECT_THAT(csvError("pose,elbow[rad],battery_voltage\n1,0,12\n"),
               saysAll("battery_voltage", "columns of anything else have to be taken out"));
 }
 
@@ -98,44 +98,44 @@ TEST(JointAnglesCsv, FindsPosesByNumber) {
 
 TEST(JointAnglesCsv, JointsWithoutAColumnAreNamedUnlessTheyMayStandAtZero) {
   const std::string text = "pose,elbow[deg],wrist[deg]\n1,0,0\n";
-  EXPECT_THAT(csvComplaint(text), saysAll("a.csv", "line 1", "tilt_deg", "lift"));
+  EXPECT_THAT(csvError(text), saysAll("a.csv", "line 1", "tilt_deg", "lift"));
   EXPECT_EQ(parse(text, true).rows[0].angles.positions.size(), 2U);
 }
 
 TEST(JointAnglesCsv, WantsTheUnitSaid) {
-  EXPECT_THAT(csvComplaint("pose,elbow\n1,0\n"), saysAll("line 1", "column elbow", "elbow[deg]", "# unit: deg"));
-  EXPECT_THAT(csvComplaint("# unit: deg\npose,lift\n1,0\n"), saysAll("column lift", "lift[m]"));
-  EXPECT_THAT(csvComplaint("pose,elbow[m]\n1,0\n"), saysAll("column elbow[m]", "deg or rad", "found m"));
-  EXPECT_THAT(csvComplaint("pose,elbow[grad]\n1,0\n"), saysAll("deg or rad", "grad"));
-  EXPECT_THAT(csvComplaint("pose,lift[deg]\n1,0\n"), saysAll("m or mm"));
-  EXPECT_THAT(csvComplaint("time[h],elbow[deg]\n1,0\n"), saysAll("column time[h]", "s, ms, us or ns"));
-  EXPECT_THAT(csvComplaint("# unit: furlong\npose,elbow\n1,0\n"), saysAll("line 1", "furlong"));
-  EXPECT_THAT(csvComplaint("pose,elbow[deg],wrist[deg],tilt_deg[deg],lift[m]\n# unit: rad\n1,0,0,0,0\n"),
+  EXPECT_THAT(csvError("pose,elbow\n1,0\n"), saysAll("line 1", "column elbow", "elbow[deg]", "# unit: deg"));
+  EXPECT_THAT(csvError("# unit: deg\npose,lift\n1,0\n"), saysAll("column lift", "lift[m]"));
+  EXPECT_THAT(csvError("pose,elbow[m]\n1,0\n"), saysAll("column elbow[m]", "deg or rad", "found m"));
+  EXPECT_THAT(csvError("pose,elbow[grad]\n1,0\n"), saysAll("deg or rad", "grad"));
+  EXPECT_THAT(csvError("pose,lift[deg]\n1,0\n"), saysAll("m or mm"));
+  EXPECT_THAT(csvError("time[h],elbow[deg]\n1,0\n"), saysAll("column time[h]", "s, ms, us or ns"));
+  EXPECT_THAT(csvError("# unit: furlong\npose,elbow\n1,0\n"), saysAll("line 1", "furlong"));
+  EXPECT_THAT(csvError("pose,elbow[deg],wrist[deg],tilt_deg[deg],lift[m]\n# unit: rad\n1,0,0,0,0\n"),
               saysAll("line 2", "above"));
 }
 
 TEST(JointAnglesCsv, NamesColumnsThatAreNoJoints) {
-  EXPECT_THAT(csvComplaint("pose,elbo[deg]\n1,0\n"), saysAll("line 1", "column elbo[deg]", "did you mean elbow?"));
-  EXPECT_THAT(csvComplaint("pose,plate[deg]\n1,0\n"), saysAll("column plate[deg]", "fixed"));
-  EXPECT_THAT(csvComplaint("pose,elbow[deg],elbow_rad\n1,0,0\n"), saysAll("column elbow_rad", "already"));
-  EXPECT_THAT(csvComplaint("pose,time,elbow[deg]\n1,0,0\n"), saysAll("column time", "second"));
-  EXPECT_THAT(csvComplaint("elbow[deg]\n0\n"), saysAll("pose", "time"));
-  EXPECT_THAT(csvComplaint("pose,,elbow[deg]\n"), saysAll("line 1", "name of a joint"));
+  EXPECT_THAT(csvError("pose,elbo[deg]\n1,0\n"), saysAll("line 1", "column elbo[deg]", "did you mean elbow?"));
+  EXPECT_THAT(csvError("pose,plate[deg]\n1,0\n"), saysAll("column plate[deg]", "fixed"));
+  EXPECT_THAT(csvError("pose,elbow[deg],elbow_rad\n1,0,0\n"), saysAll("column elbow_rad", "already"));
+  EXPECT_THAT(csvError("pose,time,elbow[deg]\n1,0,0\n"), saysAll("column time", "second"));
+  EXPECT_THAT(csvError("elbow[deg]\n0\n"), saysAll("pose", "time"));
+  EXPECT_THAT(csvError("pose,,elbow[deg]\n"), saysAll("line 1", "name of a joint"));
 }
 
 TEST(JointAnglesCsv, NamesLineAndColumnOfWhatIsNoNumber) {
   const std::string header = "pose,elbow[deg],wrist[deg]\n";
-  EXPECT_THAT(csvComplaint(header + "1,0,0\n2,x,0\n", true), saysAll("line 3", "column elbow[deg]", "found x"));
-  EXPECT_THAT(csvComplaint(header + "1,0,\n", true), saysAll("line 2", "column wrist[deg]", "there is none"));
-  EXPECT_THAT(csvComplaint(header + "1,nan,0\n", true), saysAll("line 2", "column elbow[deg]"));
-  EXPECT_THAT(csvComplaint(header + "1,1e300,0\n", true), saysAll("line 2", "column elbow[deg]"));
-  EXPECT_THAT(csvComplaint(header + "one,0,0\n", true), saysAll("line 2", "column pose"));
-  EXPECT_THAT(csvComplaint(header + "1,0\n", true), saysAll("line 2", "3 columns", "found 2"));
-  EXPECT_THAT(csvComplaint(header + "1,\"0,0\n", true), saysAll("line 2", "quote"));
-  EXPECT_THAT(csvComplaint(header + "1,0,0\n1,1,1\n", true), saysAll("line 3", "pose 1", "line 2"));
-  EXPECT_THAT(csvComplaint("time,elbow[deg]\n2,0\n1,0\n", true), saysAll("line 3", "column time", "ascend"));
-  EXPECT_THAT(csvComplaint(header, true), saysAll("a.csv", "line for each pose"));
-  EXPECT_THAT(csvComplaint(""), saysAll("a.csv", "empty"));
+  EXPECT_THAT(csvError(header + "1,0,0\n2,x,0\n", true), saysAll("line 3", "column elbow[deg]", "found x"));
+  EXPECT_THAT(csvError(header + "1,0,\n", true), saysAll("line 2", "column wrist[deg]", "there is none"));
+  EXPECT_THAT(csvError(header + "1,nan,0\n", true), saysAll("line 2", "column elbow[deg]"));
+  EXPECT_THAT(csvError(header + "1,1e300,0\n", true), saysAll("line 2", "column elbow[deg]"));
+  EXPECT_THAT(csvError(header + "one,0,0\n", true), saysAll("line 2", "column pose"));
+  EXPECT_THAT(csvError(header + "1,0\n", true), saysAll("line 2", "3 columns", "found 2"));
+  EXPECT_THAT(csvError(header + "1,\"0,0\n", true), saysAll("line 2", "quote"));
+  EXPECT_THAT(csvError(header + "1,0,0\n1,1,1\n", true), saysAll("line 3", "pose 1", "line 2"));
+  EXPECT_THAT(csvError("time,elbow[deg]\n2,0\n1,0\n", true), saysAll("line 3", "column time", "ascend"));
+  EXPECT_THAT(csvError(header, true), saysAll("a.csv", "line for each pose"));
+  EXPECT_THAT(csvError(""), saysAll("a.csv", "empty"));
 }
 
 TEST(JointAnglesCsv, ReadsBackWhatItWrites) {

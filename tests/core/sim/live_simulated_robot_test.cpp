@@ -1,4 +1,4 @@
-#include "hexoderm/sim/robot_in_words.h"
+#include "hexoderm/sim/robot_text.h"
 #include "hexoderm/sim/simulated_robot.h"
 
 #include "hexoderm/base/error.h"
@@ -19,14 +19,14 @@ namespace {
 
 using testing::SizeIs;
 
-RobotInWords idealDemo() {
-  RobotInWords words;
+RobotText idealDemo() {
+  RobotText words;
   words.robot = "demo";
   words.ideal = true;
   return words;
 }
 
-SimulatedRobot demoRobot(const RobotInWords& words = idealDemo()) {
+SimulatedRobot demoRobot(const RobotText& words = idealDemo()) {
   return makeRobot(builtInCellModel("hex-bma150"), words);
 }
 
@@ -113,7 +113,7 @@ TEST(LiveSimulatedRobot, OnAFixedBaseItsJointsTurnACellAsNearAsTheyCan) {
 }
 
 TEST(LiveSimulatedRobot, InAHandItIsTurnedWhereverItIsAskedTo) {
-  RobotInWords words = idealDemo();
+  RobotText words = idealDemo();
   words.base = "hand";
   SimulatedRobot robot = demoRobot(words);
   JointAngles angles = robot.jointAngles();
@@ -132,7 +132,7 @@ TEST(LiveSimulatedRobot, InAHandItIsTurnedWhereverItIsAskedTo) {
 }
 
 TEST(LiveSimulatedRobot, MissesWhatItReportsByItsZeroOffsets) {
-  RobotInWords words;
+  RobotText words;
   words.robot = "demo";
   SimulatedRobot robot = demoRobot(words);
   robot.turnToNextPose();
@@ -147,7 +147,7 @@ TEST(LiveSimulatedRobot, MissesWhatItReportsByItsZeroOffsets) {
 }
 
 TEST(LiveSimulatedRobot, ItsCellsBreakByTheRobotsNumbers) {
-  RobotInWords words = idealDemo();
+  RobotText words = idealDemo();
   words.faults = {{SkinFault::Dead, CellId(20)}};
   SimulatedRobot robot = demoRobot(words);
   SampleFrame frame = robot.next();

@@ -108,7 +108,7 @@ TEST_P(EverySolver, TwoPatchesAreSolvedEachInItsOwnFrame) {
   expectNear(*result, skin, exactOr(0.02 * kDegree), exactOr(0.01 * kMillimetre));
 }
 
-TEST_P(EverySolver, EmptySkinFailsInWords) {
+TEST_P(EverySolver, EmptySkinFailsText) {
   const auto result = solve(Session(builtInCellModel("hex-bma150"), {}));
   EXPECT_EQ(result->cellCount(), 0);
   EXPECT_THAT(result->assessment, IsVerdict(VerdictLevel::Failed, Limit::NoSkin, Remedy::CheckSkin));

@@ -74,18 +74,18 @@ INSTANTIATE_TEST_SUITE_P(Files, ReferenceVectors,
                                            Row{"ring8_p6", 1.872, 0.399}),
                          [](const auto& test) { return test.param.name; });
 
-class JointReferenceVectors : public ::testing::TestWithParam<Row> {};
+class GlobalReferenceVectors : public ::testing::TestWithParam<Row> {};
 
 /// Two estimates of one model differ by their robust losses and noise floors: a tenth is what that may cost.
 constexpr double kAtMostTimes = 1.1;
 
-TEST_P(JointReferenceVectors, AreReachedByTheGlobalSolver) {
+TEST_P(GlobalReferenceVectors, AreReachedByTheGlobalSolver) {
   const Errors errors = errorsOf(load(GetParam().name), jointWithArc());
   EXPECT_LE(errors.position_mm, kAtMostTimes * GetParam().position_mm);
   EXPECT_LE(errors.orientation_deg, kAtMostTimes * GetParam().orientation_deg);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, JointReferenceVectors,
+INSTANTIATE_TEST_SUITE_P(Files, GlobalReferenceVectors,
                          ::testing::Values(Row{"x17_cyl_p2", 1.58, 2.67}, Row{"x17_ideal_p3", 0.59, 0.0015},
                                            Row{"plane25_p3", 0.453, 0.58}, Row{"ring8_p6", 0.458, 0.326}),
                          [](const auto& test) { return test.param.name; });

@@ -165,8 +165,8 @@ TEST(SensorStatistics, ALargeSkinIsLookedAtInPart) {
   const auto statistics =
       estimateSensorStatistics(Snapshots{simulate(model, model, {.patch = "sheet:10x10", .poses = 4})});
   EXPECT_EQ(statistics->cells, 100U);
-  EXPECT_LE(statistics->cells_used, kMostCellsForSensors);
-  EXPECT_GE(statistics->cells_used, kMostCellsForSensors - 5);
+  EXPECT_LE(statistics->cells_used, kMaxCellsForSensors);
+  EXPECT_GE(statistics->cells_used, kMaxCellsForSensors - 5);
   EXPECT_EQ(statistics->sigmas.offset_g.knowledge, SigmaKnowledge::Measured);
 }
 #endif

@@ -69,17 +69,17 @@ TEST(LiveStrip, NamesWhatWasLostAndNothingWhereNothingWas) {
   SourceStatus status;
   status.frames = 17230;
   HoldStatus hold;
-  EXPECT_EQ(lossesInWords(status, hold), "");
-  EXPECT_EQ(countersInWords(status, hold), "17,230 frames · 0 lost · 0 late");
+  EXPECT_EQ(lossesText(status, hold), "");
+  EXPECT_EQ(countersText(status, hold), "17,230 frames · 0 lost · 0 late");
   status.lost_samples = 1;
-  EXPECT_EQ(lossesInWords(status, hold), "1 sample lost");
+  EXPECT_EQ(lossesText(status, hold), "1 sample lost");
   status.lost_samples = 12;
-  EXPECT_EQ(lossesInWords(status, hold), "12 samples lost");
+  EXPECT_EQ(lossesText(status, hold), "12 samples lost");
   status.late_frames = 1;
   hold.late_frames = 2;
   status.dropped_by_device = 40;
-  EXPECT_EQ(lossesInWords(status, hold), "12 samples lost · 3 frames late · 40 samples dropped by the device");
-  EXPECT_EQ(countersInWords(status, hold), "17,230 frames · 12 lost · 3 late · 40 dropped by the device");
+  EXPECT_EQ(lossesText(status, hold), "12 samples lost · 3 frames late · 40 samples dropped by the device");
+  EXPECT_EQ(countersText(status, hold), "17,230 frames · 12 lost · 3 late · 40 dropped by the device");
 }
 
 TEST_F(CapturePanelTest, SaysWhatToDoHowFarAndWhy) {
@@ -118,22 +118,22 @@ TEST_F(CapturePanelTest, EveryBlockerHasItsWords) {
   for (const Blocker blocker :
        {Blocker::None, Blocker::Waiting, Blocker::NotMoved, Blocker::Turning, Blocker::Shaking, Blocker::CellTurning}) {
     hold.stillness.blocker = blocker;
-    EXPECT_FALSE(holdInWords(hold).word.isEmpty());
-    EXPECT_FALSE(waitInWords(hold).isEmpty());
+    EXPECT_FALSE(holdText(hold).word.isEmpty());
+    EXPECT_FALSE(waitText(hold).isEmpty());
   }
-  EXPECT_EQ(holdInWords(shaking()).word, QStringLiteral("Hold still"));
-  EXPECT_EQ(waitInWords(shaking()), QStringLiteral("Waiting: cell 7 moves 44 mg, limit 30 mg"));
+  EXPECT_EQ(holdText(shaking()).word, QStringLiteral("Hold still"));
+  EXPECT_EQ(waitText(shaking()), QStringLiteral("Waiting: cell 7 moves 44 mg, limit 30 mg"));
   hold.stillness.blocker = Blocker::NotMoved;
   hold.stillness.moved_rad = 2.3 * kDegree;
   hold.stillness.rearm_rad = 5 * kDegree;
-  EXPECT_EQ(holdInWords(hold).word, QStringLiteral("Turn the part"));
-  EXPECT_EQ(waitInWords(hold), QStringLiteral("Waiting: moved 2.3° since the last pose, needs 5°"));
+  EXPECT_EQ(holdText(hold).word, QStringLiteral("Turn the part"));
+  EXPECT_EQ(waitText(hold), QStringLiteral("Waiting: moved 2.3° since the last pose, needs 5°"));
   hold.stillness.blocker = Blocker::Turning;
   hold.stillness.drift_rad_s = 3.2 * kDegree;
   hold.stillness.drift_limit_rad_s = kDegree;
-  EXPECT_EQ(waitInWords(hold), QStringLiteral("Waiting: the part turns by 3.2 °/s, limit 1.0 °/s"));
+  EXPECT_EQ(waitText(hold), QStringLiteral("Waiting: the part turns by 3.2 °/s, limit 1.0 °/s"));
   hold.stillness.odd_cells = {{CellId(5), OddCellKind::Noisy, 0.2}, {CellId(9), OddCellKind::Silent, 2}};
-  EXPECT_EQ(oddCellsInWords(hold), QStringLiteral("Not waited for: cell 5 (noisy), cell 9 (silent)"));
+  EXPECT_EQ(oddCellsText(hold), QStringLiteral("Not waited for: cell 5 (noisy), cell 9 (silent)"));
 }
 
 TEST_F(CapturePanelTest, TheRingCountsWhileReadingsAreTaken) {
@@ -150,7 +150,7 @@ TEST_F(CapturePanelTest, TheRingCountsWhileReadingsAreTaken) {
   EXPECT_NE(ring()->grab().toImage(), before);
 }
 
-TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysInWords) {
+TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysText) {
   show();
   panel.setSource(streaming());
   panel.setHold(shaking());

@@ -23,7 +23,7 @@ TEST(CellColors, QuantitiesLieOnTheirScalesAndWhatIsBeyondIsSeen) {
   demo.patches[0].cells[0].cov_t_r = Matrix6d::Zero();
   demo.patches[0].cells[1].cov_t_r = Matrix6d::Identity() * 1e-6;  // 1 mm, 0.06 deg
   demo.patches[0].cells[2].cov_t_r = Matrix6d::Identity();
-  const CellFigures figures = makeCellFigures(demo);
+  const CellMetrics figures = makeCellMetrics(demo);
   const auto values = cellValues(Coloring::PositionUncertainty, figures, {});
   EXPECT_EQ(values[0], 0);
   EXPECT_NEAR(values[1].value_or(0), 1.96, 1e-6);
@@ -44,7 +44,7 @@ TEST(CellColors, SignedValuesHaveAMapWithAMiddle) {
   Reconstruction demo = demoReconstruction();
   for (LinkEstimate& link : demo.patches[0].links) link.bend_rad = 0;
   demo.patches[0].links[0].bend_rad = -20 * kDegree;  // cells 1 and 2
-  const CellFigures figures = makeCellFigures(demo);
+  const CellMetrics figures = makeCellMetrics(demo);
   const std::vector<Rgb> colors = cellColors(Coloring::Bend, figures, {}, {-20, 20}, threeSteps());
   EXPECT_NEAR(colors[1][1], 1, 1e-9);
   EXPECT_NEAR(colors[16][1], 0.5, 1e-9);
@@ -57,7 +57,7 @@ TEST(CellColors, SignedValuesHaveAMapWithAMiddle) {
 }
 
 TEST(CellColors, ReadingsAreThoseOfEachCell) {
-  const CellFigures figures = makeCellFigures(demoReconstruction());
+  const CellMetrics figures = makeCellMetrics(demoReconstruction());
   CellReadings readings;
   readings.acceleration_g[CellId(2)] = {0.6, 0, -0.8};
   readings.temperature_c[CellId(2)] = 30;
@@ -77,7 +77,7 @@ TEST(CellColors, CategoriesHaveColoursOfTheirOwn) {
   demo.patches[0].cells[0].body_part = "hand";
   demo.patches[0].cells[1].body_part = "arm";
   demo.patches[0].links[0].quality = EdgeQuality::Undefined;
-  const CellFigures figures = makeCellFigures(demo);
+  const CellMetrics figures = makeCellMetrics(demo);
   const std::vector<Rgb> by_part = cellColors(Coloring::BodyPart, figures, {}, {}, threeSteps());
   EXPECT_NE(by_part[0], by_part[1]);
   EXPECT_EQ(by_part[2], threeSteps().no_data);

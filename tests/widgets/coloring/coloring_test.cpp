@@ -44,7 +44,7 @@ TEST(Coloring, GraphAnd3dViewFitTheirScalesToTheSameValues) {
   Reconstruction demo = demoReconstruction();
   demo.patches[0].links[5].used = false;
   demo.patches[0].links[5].residual_rad = 1;
-  const CellFigures figures = makeCellFigures(demo);
+  const CellMetrics figures = makeCellMetrics(demo);
   const auto residuals = scaledValues(Coloring::Residual, demo, figures, {});
   EXPECT_EQ(residuals.size(), 15U) << "of the used links";
   for (const auto& residual : residuals) EXPECT_NEAR(residual.value_or(0), 0.4, 1e-9);
@@ -55,7 +55,7 @@ TEST(Coloring, BendsAreSignedAndYawsCountEitherWay) {
   LinkEstimate link = demoReconstruction().patches[0].links[0];
   link.bend_rad = -12 * kDegree;
   link.yaw_rad = -3 * kDegree;
-  ASSERT_TRUE(link.hasFigures());
+  ASSERT_TRUE(link.hasMetrics());
   EXPECT_NEAR(coloringRow(Coloring::Bend).of_link(link).value_or(0), -12, 1e-9);
   EXPECT_NEAR(coloringRow(Coloring::Yaw).of_link(link).value_or(0), 3, 1e-9);
 }

@@ -23,7 +23,7 @@ TEST(ScaleLegend, IsFittedToTheValuesAndCountsThem) {
   EXPECT_EQ(legend.counts.unknown, 1U);
   EXPECT_EQ(legend.counts.counts.size(), ScaleLegend::kBins);
   EXPECT_EQ(legend.extremes, (std::pair(0.2, 9.0)));
-  const std::string words = scaleInWords(legend).toStdString();
+  const std::string words = scaleText(legend).toStdString();
   EXPECT_THAT(words, HasSubstr("range fitted to what is shown"));
   EXPECT_THAT(words, HasSubstr("more than 0.700 mm: 1 cell"));
   EXPECT_THAT(words, HasSubstr("not known: 1 cell"));
@@ -34,8 +34,8 @@ TEST(ScaleLegend, AFixedRangeStaysWhateverTheValuesAre) {
   EXPECT_EQ(legend.range, (ColorRange{0, 6}));
   EXPECT_TRUE(legend.is_fixed);
   EXPECT_EQ(legend.counts.above, 1U);
-  EXPECT_THAT(scaleInWords(legend).toStdString(), HasSubstr("range fixed"));
-  EXPECT_THAT(scaleInWords(legend).toStdString(), HasSubstr("goal 3 mm"));
+  EXPECT_THAT(scaleText(legend).toStdString(), HasSubstr("range fixed"));
+  EXPECT_THAT(scaleText(legend).toStdString(), HasSubstr("goal 3 mm"));
 }
 
 TEST(ScaleLegend, DegenerateValuesHaveAScaleToo) {
@@ -45,29 +45,29 @@ TEST(ScaleLegend, DegenerateValuesHaveAScaleToo) {
     EXPECT_LT(legend.range.low, legend.range.high);
     EXPECT_GE(legend.range.high - legend.range.low, 0.1 - 1e-9);
     EXPECT_EQ(legend.counts.above + legend.counts.below, 0U);
-    EXPECT_FALSE(scaleInWords(legend).isEmpty());
+    EXPECT_FALSE(scaleText(legend).isEmpty());
   }
   EXPECT_EQ(legendOf(Coloring::ShapeUncertainty, {nan}).extremes, std::nullopt);
 }
 
 TEST(ScaleLegend, AGoalBesideTheScaleIsSaid) {
-  EXPECT_EQ(limitBeyondInWords(legendOf(Coloring::PositionUncertainty, {0.2, 0.8})), "all within the goal of 3 mm");
-  EXPECT_EQ(limitBeyondInWords(legendOf(Coloring::OrientationUncertainty, {4.2, 5.8})),
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {0.2, 0.8})), "all within the goal of 3 mm");
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::OrientationUncertainty, {4.2, 5.8})),
             QStringLiteral("none within the goal of 2°"));
-  EXPECT_EQ(limitBeyondInWords(legendOf(Coloring::PositionUncertainty, {0.2, 5.8})), "") << "it is marked on the bar";
-  EXPECT_EQ(limitBeyondInWords(legendOf(Coloring::PositionUncertainty, {})), "") << "of nothing nothing is said";
-  EXPECT_EQ(limitBeyondInWords(legendOf(Coloring::PositionUncertainty, {0.5, 4.0}, ColorRange{0, 1})), "")
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {0.2, 5.8})), "") << "it is marked on the bar";
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {})), "") << "of nothing nothing is said";
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {0.5, 4.0}, ColorRange{0, 1})), "")
       << "neither all nor none";
-  EXPECT_EQ(limitBeyondInWords(legendOf(Coloring::Residual, {0.2, 0.8})), "") << "there is no goal";
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::Residual, {0.2, 0.8})), "") << "there is no goal";
 }
 
 TEST(ScaleLegend, BinsAreSaidWithTheirValuesAndCells) {
   const ScaleLegend legend = legendOf(Coloring::Residual, {0.05, 0.05, 2.3}, ColorRange{0, 2.4});
-  EXPECT_EQ(binInWords(legend, 0), QStringLiteral("0.00 to 0.10°: 2 cells"));
-  EXPECT_EQ(binInWords(legend, 23), QStringLiteral("2.30 to 2.40°: 1 cell"));
-  EXPECT_EQ(binInWords(legend, 5), QStringLiteral("0.50 to 0.60°: 0 cells"));
-  EXPECT_EQ(binInWords(legend, -1), QStringLiteral("less than 0.00°: 0 cells"));
-  EXPECT_EQ(binInWords(legend, 24), QStringLiteral("more than 2.40°: 0 cells"));
+  EXPECT_EQ(binText(legend, 0), QStringLiteral("0.00 to 0.10°: 2 cells"));
+  EXPECT_EQ(binText(legend, 23), QStringLiteral("2.30 to 2.40°: 1 cell"));
+  EXPECT_EQ(binText(legend, 5), QStringLiteral("0.50 to 0.60°: 0 cells"));
+  EXPECT_EQ(binText(legend, -1), QStringLiteral("less than 0.00°: 0 cells"));
+  EXPECT_EQ(binText(legend, 24), QStringLiteral("more than 2.40°: 0 cells"));
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_EQ(valueWithUnit(0.25, legend.range, Coloring::PositionUncertainty), "0,25 mm");
   QLocale::setDefault(QLocale::system());

@@ -30,7 +30,7 @@ class GraphColorsTest : public GraphViewTest {
     return nullptr;
   }
   /// The X17, each arm's links and cells with figures of their own.
-  static std::shared_ptr<Reconstruction> withFigures() {
+  static std::shared_ptr<Reconstruction> withMetrics() {
     auto result = sampleX17();
     PatchReconstruction& patch = result->patches.front();
     for (CellPlacement& cell : patch.cells) {
@@ -49,7 +49,7 @@ class GraphColorsTest : public GraphViewTest {
 QColor beyond(const ColorMap& map) { return toQColor(map.above); }
 
 TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAScaleThatShowsWhatLiesBeyondIt) {
-  show(withFigures());
+  show(withMetrics());
   view_.setColoring(Coloring::Residual);
   EXPECT_GT(countColor(image(), linkTo9(), 5, beyond(sequentialMap(Theme::Light))), 8) << "far from all others";
   EXPECT_EQ(countColor(image(), linkTo2(), 5, beyond(sequentialMap(Theme::Light))), 0);
@@ -67,7 +67,7 @@ TEST_F(GraphColorsTest, LinksAreColouredByAFigureOnAScaleThatShowsWhatLiesBeyond
 }
 
 TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
-  show(withFigures());
+  show(withMetrics());
   // All others are alike: 0.196 mm on a scale from 0.145 to 0.250, 0.011 degrees on one from 0 to 0.1.
   for (const auto& [coloring, step] :
        {std::pair(Coloring::PositionUncertainty, 11), std::pair(Coloring::OrientationUncertainty, 3)}) {
@@ -121,7 +121,7 @@ TEST_F(GraphColorsTest, TheButtonSaysWhatTheColoursShowAndItsMenuChangesIt) {
 }
 
 TEST_F(GraphColorsTest, EveryColouringLooksDifferentAndHasALegend) {
-  auto figures = withFigures();
+  auto figures = withMetrics();
   figures->patches[0].cells[3].body_part = "hand";
   figures->patches[0].cells[5].placed_by = PlacedBy::Links;
   show(figures);
@@ -159,8 +159,8 @@ TEST_F(GraphColorsTest, ShortestPathsAreMarkedUnlessSwitchedOff) {
   EXPECT_GT(marked, countColor(image(), linkTo2(), 8, band) + 10);
 }
 
-TEST_F(GraphColorsTest, TheToolTipOfALinkHasAllItsFigures) {
-  auto result = withFigures();
+TEST_F(GraphColorsTest, TheToolTipOfALinkHasAllItsMetrics) {
+  auto result = withMetrics();
   LinkEstimate& link = result->patches[0].links[7];
   link.singular_values = {1.93, 1.05, 0.02};
   link.weight = 2;
@@ -199,8 +199,8 @@ TEST_F(GraphColorsTest, TheToolTipOfAMutedLinkSaysWhyInTheFindingsWords) {
   QToolTip::hideText();
 }
 
-TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsFigures) {
-  auto result = withFigures();
+TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsMetrics) {
+  auto result = withMetrics();
   CellPlacement& placement = result->patches[0].cells[12];
   placement.T_o_u = {rotationFromRpy({0.1, -0.2, 0.3}), {0.0123, -0.004, 0.00002}};
   placement.accel_offset_g = Eigen::Vector3d(0.061, -0.012, 0);

@@ -143,7 +143,7 @@ TEST_F(GraphViewTest, DraggingPansAndPicksNothing) {
   EXPECT_FALSE(selection_.cell());
 }
 
-TEST_F(GraphViewTest, KeepsItsViewWhenOnlyFiguresChangeAndFitsANewSkin) {
+TEST_F(GraphViewTest, KeepsItsViewWhenOnlyMetricsChangeAndFitsANewSkin) {
   show(sampleX17());
   wheel(cell(9), 480);
   const QPoint zoomed = cell(9);

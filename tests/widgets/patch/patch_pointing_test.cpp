@@ -73,7 +73,7 @@ class PatchPointingTest : public PatchViewFixture {
   std::shared_ptr<const Reconstruction> skin;
 };
 
-TEST_F(PatchPointingTest, ACardBesideTheMouseHasAllFiguresOfTheCellInTheWordsOfTheGraph) {
+TEST_F(PatchPointingTest, ACardBesideTheMouseHasAllMetricsOfTheCellInTheWordsOfTheGraph) {
   for (const CellId cell : {CellId(1), CellId(4), CellId(9), CellId(17)}) {
     selection.seekCell(cell);
     selection.clear();
@@ -332,7 +332,7 @@ TEST_F(PatchPointingTest, ArrowKeysWalkToTheNeighbourThatLiesThere) {
   EXPECT_TRUE(selection.cell() == CellId(1) || selection.cell() == CellId(2));
 }
 
-TEST_F(PatchPointingTest, TheFiguresOfWhatIsPickedAreKeptAndLeadToTheNeighbours) {
+TEST_F(PatchPointingTest, TheMetricsOfWhatIsPickedAreKeptAndLeadToTheNeighbours) {
   ASSERT_NO_FATAL_FAILURE(activate());
   selection.selectCell(CellId(6));
   EXPECT_FALSE(figureCard()->isVisible());
@@ -353,13 +353,13 @@ TEST_F(PatchPointingTest, TheFiguresOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
   EXPECT_TRUE(figureCard()->isVisible());
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(figureCard()->isVisible());
-  EXPECT_FALSE(view.areFiguresShown());
+  EXPECT_FALSE(view.areMetricsShown());
 }
 
 TEST_F(PatchPointingTest, TheColourOfTheCellIsOnItsCardAsAFigure) {
   controls().action(Coloring::Residual)->setChecked(true);
   selection.selectCell(CellId(2));
-  view.setFiguresShown(true);
+  view.setMetricsShown(true);
   EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.40°"))) << figureCard()->text().toStdString();
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, 0.93}}});
   view.setMoment(moment);

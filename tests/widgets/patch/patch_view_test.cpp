@@ -244,7 +244,7 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
   EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
 }
 
-TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidInWords) {
+TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
   view.setReconstruction(demo());
   EXPECT_FALSE(words().contains(QStringLiteral("not placed")));
   DemoOptions lonely;
@@ -343,7 +343,7 @@ TEST(PatchViewInAWindow, IsClosedWhileALargeSkinIsPreparedAndLeavesNothingBehind
 
 TEST_F(PatchViewTest, TheMenuOffersToSaveAPictureAndSaysWhatDraws) {
   view.setReconstruction(demo());
-  const QString renderer = openGlInWords(queryOpenGl());
+  const QString renderer = openGlText(queryOpenGl());
   ASSERT_FALSE(renderer.isEmpty());
   QSignalSpy requested(&view, &PatchView::pictureRequested);
   bool said = false;

@@ -11,7 +11,7 @@ namespace hexoderm {
 namespace {
 
 PlotData plotted(const Reconstruction& result, const PlotChoice& choice, const CellReadings& readings = {}) {
-  return makePlotData(&result, makeCellFigures(result), readings, choice);
+  return makePlotData(&result, makeCellMetrics(result), readings, choice);
 }
 
 /// Of which the last cell does not say how well it is known.
@@ -23,7 +23,7 @@ std::shared_ptr<Reconstruction> sheetWithUncertainties() {
 
 TEST(PlotData, EveryFigureOfTheTableThatIsAQuantityCanBeAnAxis) {
   for (const PlotSubject subject : {PlotSubject::Cells, PlotSubject::Links}) {
-    const auto figures = plotFigures(subject);
+    const auto figures = plotMetrics(subject);
     EXPECT_EQ(figures.front(), std::nullopt) << "the number of the cell comes first";
     for (const ColoringRow& row : coloringTable()) {
       const bool has = subject == PlotSubject::Links ? row.of_link != nullptr : row.of_cell != nullptr;
@@ -36,12 +36,12 @@ TEST(PlotData, EveryFigureOfTheTableThatIsAQuantityCanBeAnAxis) {
   EXPECT_EQ(plotAxisTitle(PlotSubject::Cells, std::nullopt), QStringLiteral("number of the cell"));
 }
 
-TEST(PlotData, PointsAreTheFiguresOfTheCellsAndWhatLacksOneIsCounted) {
+TEST(PlotData, PointsAreTheMetricsOfTheCellsAndWhatLacksOneIsCounted) {
   const auto result = sheetWithUncertainties();
   const PlotData data = plotted(*result, {PlotSubject::Cells, std::nullopt, Coloring::PositionUncertainty, false});
   EXPECT_EQ(data.unknown, 1U);
   ASSERT_EQ(data.points.size(), 19U);
-  const CellFigures figures = makeCellFigures(*result);
+  const CellMetrics figures = makeCellMetrics(*result);
   for (std::size_t k = 0; k < data.points.size(); ++k) {
     EXPECT_EQ(data.points[k].x, data.points[k].cell.value());
     EXPECT_DOUBLE_EQ(data.points[k].y, toMillimetres(*figures.position_95_m[k]));
@@ -75,7 +75,7 @@ TEST(PlotData, AHistogramCountsEveryPointOnce) {
   EXPECT_EQ(counted, 19U);
 }
 
-TEST(PlotData, ReadingsAreFiguresAsLongAsThereAreSome) {
+TEST(PlotData, ReadingsAreMetricsAsLongAsThereAreSome) {
   const auto result = sampleX17();
   const PlotChoice choice{PlotSubject::Cells, std::nullopt, Coloring::ReadingZ, false};
   EXPECT_TRUE(plotted(*result, choice).points.empty());
@@ -94,10 +94,10 @@ TEST(PlotData, WithoutASkinThereIsNothing) {
 }
 
 TEST(PlotData, ValuesAreWrittenWithThreeDigitsAndTheirUnit) {
-  EXPECT_EQ(plotValueInWords(Coloring::PositionUncertainty, 0.8349), QStringLiteral("0.835\u00a0mm"));
-  EXPECT_EQ(plotValueInWords(Coloring::PositionUncertainty, 12.349), QStringLiteral("12.3\u00a0mm"));
-  EXPECT_EQ(plotValueInWords(Coloring::Bend, 123.49), QStringLiteral("123°"));
-  EXPECT_EQ(plotValueInWords(std::nullopt, 17), QStringLiteral("17"));
+  EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 0.8349), QStringLiteral("0.835\u00a0mm"));
+  EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 12.349), QStringLiteral("12.3\u00a0mm"));
+  EXPECT_EQ(plotValueText(Coloring::Bend, 123.49), QStringLiteral("123°"));
+  EXPECT_EQ(plotValueText(std::nullopt, 17), QStringLiteral("17"));
 }
 
 }  // namespace

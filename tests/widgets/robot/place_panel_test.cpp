@@ -192,7 +192,7 @@ TEST(PlaceWords, LinksThatCannotBeToldApartStandTogether) {
   EXPECT_THAT(choices[1].text.toStdString(), HasSubstr("can't be told from forearm"));
   patch.nearest = candidate;
   EXPECT_THAT(linkChoices(patch)[2].text.toStdString(), HasSubstr("does not fit"));
-  EXPECT_EQ(linkInWords(patch).tone, Tone::Bad);
+  EXPECT_EQ(linkText(patch).tone, Tone::Bad);
 }
 
 TEST(PlaceWords, SeveralSentencesHaveSignsAndTheGravestTone) {

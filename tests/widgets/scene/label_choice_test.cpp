@@ -88,7 +88,7 @@ TEST_F(LabelChoiceTest, OnlyFacesThatLookAtTheViewerHaveIds) {
   const auto ids = chosen(sight);
   ASSERT_FALSE(ids.empty());
   for (const CellId id : ids) {
-    EXPECT_GT(content->layout.find(id)->T_s_u.R.col(2).dot(sight.back), LabelChoice::kLeastFacing) << "cell " << id;
+    EXPECT_GT(content->layout.find(id)->T_s_u.R.col(2).dot(sight.back), LabelChoice::kMinFacing) << "cell " << id;
   }
 }
 
@@ -141,7 +141,7 @@ TEST_F(LabelChoiceTest, ThereAreNoMoreThanABudgetAndRoundNumbersComeFirst) {
   sight.window = {3000, 3000};
   sight.middle_px = {1500, 1500};
   const auto ids = chosen(sight);
-  EXPECT_EQ(ids.size(), LabelChoice::kMost);
+  EXPECT_EQ(ids.size(), LabelChoice::kMax);
   // 10,000 cells have 100 round hundreds and as many fifties: all of them that are in the picture.
   EXPECT_THAT(ids, testing::Contains(CellId(5000)));
   EXPECT_TRUE(std::ranges::all_of(ids, [](CellId id) { return id.value() % 10 == 0; }));

@@ -56,7 +56,7 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
   const auto with = picture();
   const auto cells = scene.labelledCells();
   EXPECT_GT(cells.size(), 10U);
-  EXPECT_LE(cells.size(), LabelChoice::kMost);
+  EXPECT_LE(cells.size(), LabelChoice::kMax);
   scene.setShown(SceneItem::Ids, false);
   EXPECT_GT(differingShare(with, picture()), 0.005) << "they are drawn";
   EXPECT_TRUE(scene.labelledCells().empty());

@@ -107,7 +107,7 @@ TEST_F(JointTableTest, TheCommaOfALanguageAndThePointOfProgramsAreOneAndTheSame)
   EXPECT_FALSE(type(2, 0, QStringLiteral("1,234")));
 }
 
-TEST_F(JointTableTest, WhatIsNoNumberIsRefusedInWords) {
+TEST_F(JointTableTest, WhatIsNoNumberIsRefusedText) {
   for (const char* wrong : {"abc", "12 13", "nan", "inf", "1e400"}) {
     EXPECT_FALSE(type(1, 0, QLatin1String(wrong))) << wrong;
     EXPECT_THAT(refusals.back().toStdString(), testing::AllOf(HasSubstr(wrong), HasSubstr("joint elbow in pose 2")));

@@ -90,7 +90,7 @@ TEST_F(ReconstructionTableTest, FiguresStandAtTheRightWordsAtTheLeft) {
   }
 }
 
-TEST_F(ReconstructionTableTest, LinksOfAllPatchesAreListedWithTheirFigures) {
+TEST_F(ReconstructionTableTest, LinksOfAllPatchesAreListedWithTheirMetrics) {
   links_.setReconstruction(sampleTwoPatches());
   ASSERT_EQ(links_.rowCount(), 7);
   EXPECT_THAT(headers(links_),
@@ -101,7 +101,7 @@ TEST_F(ReconstructionTableTest, LinksOfAllPatchesAreListedWithTheirFigures) {
   EXPECT_THAT(text(links_, 0, 0, Qt::ToolTipRole), HasSubstr("Residual 0.3°, predicted deviation 0.7°"));
 }
 
-TEST_F(ReconstructionTableTest, MutedLinksAreGreyGiveTheReasonAndNoInventedFigures) {
+TEST_F(ReconstructionTableTest, MutedLinksAreGreyGiveTheReasonAndNoInventedMetrics) {
   links_.setReconstruction(sampleTwoPatches());
   const int row = links_.rowOf({CellId(21), PortNumber(4)}, {CellId(3), PortNumber(1)});
   ASSERT_EQ(row, 4);

@@ -20,21 +20,21 @@
 namespace hexoderm {
 namespace {
 
-class FiguresTableTest : public testing::Test {
+class MetricsTableTest : public testing::Test {
  protected:
-  FiguresTableTest() {
+  MetricsTableTest() {
     table_.setContent({{"Name", {}, {}, 0, true}, {"Length mm", "mm", {}, 2, false}, {"Angle °", "deg", {}, 1, false}},
                       {{{QStringLiteral("a, b"), 1.0 / 3, QVariant()}},
                        {{QStringLiteral("say \"x\"\nand go"), -2.5, 1e-7}},
                        {{QStringLiteral("cell 10"), 10.0, 2.0}},
                        {{QStringLiteral("cell 9"), 9.0, 3.0}}});
   }
-  ~FiguresTableTest() override { QLocale::setDefault(QLocale::system()); }
+  ~MetricsTableTest() override { QLocale::setDefault(QLocale::system()); }
 
   ResultTable table_;
 };
 
-TEST_F(FiguresTableTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
+TEST_F(MetricsTableTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
   EXPECT_EQ(tableAsCsv(table_).toStdString(),
             "Name,Length mm,Angle (deg)\r\n"
             "\"a, b\",0.3333333333333333,\r\n"
@@ -43,14 +43,14 @@ TEST_F(FiguresTableTest, CsvQuotesWhatMustBeAndKeepsAllDigits) {
             "cell 9,9,3\r\n");
 }
 
-TEST_F(FiguresTableTest, CsvHasADecimalPointWhateverTheLocale) {
+TEST_F(MetricsTableTest, CsvHasADecimalPointWhateverTheLocale) {
   const QByteArray before = tableAsCsv(table_);
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_EQ(table_.index(1, 1).data().toString(), "−2,50") << "what is shown follows the locale";
   EXPECT_EQ(tableAsCsv(table_), before);
 }
 
-TEST_F(FiguresTableTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
+TEST_F(MetricsTableTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
   LinkTable links;
   links.setReconstruction(sampleTwoPatches());
   const QList<QByteArray> lines = tableAsCsv(links).split('\n');
@@ -62,7 +62,7 @@ TEST_F(FiguresTableTest, CsvOfTheLinksHoldsWhatIsBehindTheTexts) {
   EXPECT_TRUE(lines[5].trimmed().endsWith(",,,,,,muted")) << lines[5].toStdString();
 }
 
-TEST_F(FiguresTableTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast) {
+TEST_F(MetricsTableTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast) {
   SortedTable sorted(&table_);
   const auto names = [&] {
     QStringList result;
@@ -83,7 +83,7 @@ TEST_F(FiguresTableTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast
   EXPECT_TRUE(tableAsCsv(sorted).startsWith("Name,Length mm,Angle (deg)\r\n")) << "files have no arrows";
 }
 
-TEST_F(FiguresTableTest, CopiesWhatIsShownInItsOrder) {
+TEST_F(MetricsTableTest, CopiesWhatIsShownInItsOrder) {
   SortedTable sorted(&table_);
   QTableView view;
   view.setModel(&sorted);
@@ -99,7 +99,7 @@ TEST_F(FiguresTableTest, CopiesWhatIsShownInItsOrder) {
   EXPECT_TRUE(lines[1].startsWith("cell 10,"));
 }
 
-TEST_F(FiguresTableTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
+TEST_F(MetricsTableTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
   SortedTable sorted(&table_);
   QTableView view;
   view.setModel(&sorted);

@@ -131,16 +131,16 @@ TEST_F(VerifyPanelTest, ACalibrationThatHoldsIsTickedOnlyIfEveryTurnWouldShow) {
   holds.poses = {PoseId(5)};
   holds.cells = {checked(1, CellChange::None, message("as calibrated"))};
   holds.compared = true;
-  EXPECT_EQ(oldCalibrationInWords(holds, "a").tone, Tone::Good);
-  EXPECT_EQ(oldCalibrationInWords(holds, "a").text.toStdString(), "Compared with a: pose 5.");
+  EXPECT_EQ(oldCalibrationText(holds, "a").tone, Tone::Good);
+  EXPECT_EQ(oldCalibrationText(holds, "a").text.toStdString(), "Compared with a: pose 5.");
   CalibrationCheck blind = holds;
   blind.cells.front().noticed_turn_rad.reset();
-  EXPECT_EQ(oldCalibrationInWords(blind, "a").tone, Tone::Caution);
+  EXPECT_EQ(oldCalibrationText(blind, "a").tone, Tone::Caution);
   CalibrationCheck nothing = holds;
   nothing.cells.front().change = CellChange::NotTold;
   nothing.compared = false;
-  EXPECT_EQ(oldCalibrationInWords(nothing, "a").tone, Tone::Caution);
-  EXPECT_EQ(oldCalibrationInWords(changedSkin(), "a").tone, Tone::Bad);
+  EXPECT_EQ(oldCalibrationText(nothing, "a").tone, Tone::Caution);
+  EXPECT_EQ(oldCalibrationText(changedSkin(), "a").tone, Tone::Bad);
 }
 
 TEST_F(VerifyPanelTest, AnOldCalibrationThatFailsOrIsCancelledShowsNoEarlierCells) {

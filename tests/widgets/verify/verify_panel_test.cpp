@@ -62,7 +62,7 @@ TEST_F(VerifyPanelTest, AsksForThePoseThatIsChosenAndKeepsTheChoice) {
   EXPECT_THAT(asked, testing::ElementsAre(PoseId(2)));
 }
 
-TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndFiguresThatPick) {
+TEST_F(VerifyPanelTest, HoldOutHasAVerdictAndMetricsThatPick) {
   panel_->setReconstruction(skin());
   panel_->showHoldOut(heldOut(HoldOutAgreement::AsStated, 0.4));
   EXPECT_EQ(sentence("holdOut"),

@@ -214,7 +214,7 @@ std::optional<Message> plain(const v1::Joints& from) {
 
 std::string_view asText(ByteView bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
-Decoded failed(DecodeOutcome outcome, Offence offence, std::uint32_t major = kMajor) {
+Decoded failed(DecodeOutcome outcome, ProtocolViolation offence, std::uint32_t major = kMajor) {
   Decoded decoded;
   decoded.outcome = outcome;
   decoded.major = major;
@@ -224,16 +224,17 @@ Decoded failed(DecodeOutcome outcome, Offence offence, std::uint32_t major = kMa
 
 Decoded otherMajor(std::uint32_t major) {
   return failed(DecodeOutcome::OtherMajor,
-                {OffenceKind::OtherVersion,
+                {ProtocolViolationKind::OtherVersion,
                  message("the device speaks SkinWire {}, this program SkinWire {}", major, std::uint32_t{kMajor})},
                 major);
 }
 
 Decoded checked(std::optional<Message> message) {
   if (!message) {
-    return failed(DecodeOutcome::Broken, {OffenceKind::WrongValue, hexoderm::message("a number is out of range")});
+    return failed(DecodeOutcome::Broken,
+                  {ProtocolViolationKind::WrongValue, hexoderm::message("a number is out of range")});
   }
-  if (Complaint why = complaint(*message); !why.empty()) {
+  if (ValidationError why = complaint(*message); !why.empty()) {
     return failed(DecodeOutcome::Broken, {why.kind, std::move(why.reason)});
   }
   Decoded decoded;
@@ -274,31 +275,31 @@ Decoded parsePayload(std::uint8_t type, ByteView payload) {
   thread_local v1::Line line;
   const google::protobuf::FieldDescriptor* field = line.GetDescriptor()->FindFieldByNumber(type + 1);
   if (field == nullptr || field->message_type() == nullptr) {
-    return failed(
-        DecodeOutcome::UnknownType,
-        {OffenceKind::UnknownMessage, message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
+    return failed(DecodeOutcome::UnknownType,
+                  {ProtocolViolationKind::UnknownMessage,
+                   message("there is no message of type {}; expected 1 to 7", std::uint32_t{type})});
   }
   const NoWordsOfProtobuf quiet;
   google::protobuf::Message& proto = *line.GetReflection()->MutableMessage(&line, field);
   const std::string& name = field->message_type()->name();
   if (!proto.ParseFromArray(payload.data(), static_cast<int>(payload.size()))) {
-    return failed(
-        DecodeOutcome::Broken,
-        {OffenceKind::WrongType, message("the payload is not the protobuf message {} that its type says", name)});
+    return failed(DecodeOutcome::Broken,
+                  {ProtocolViolationKind::WrongType,
+                   message("the payload is not the protobuf message {} that its type says", name)});
   }
   Decoded decoded = messageIn(line);
   const auto& unknown = proto.GetReflection()->GetUnknownFields(proto);
   if (!unknown.empty()) {
-    decoded.offences.insert(
-        decoded.offences.begin(),
-        {OffenceKind::UnknownField, message("{} has no field with the number {}", name, unknown.field(0).number())});
+    decoded.offences.insert(decoded.offences.begin(),
+                            {ProtocolViolationKind::UnknownField,
+                             message("{} has no field with the number {}", name, unknown.field(0).number())});
   }
   return decoded;
 }
 
 /// Throws for a message that can't be sent.
 v1::Line lineOf(const Message& message) {
-  if (const Complaint why = complaint(message); !why.empty()) {
+  if (const ValidationError why = complaint(message); !why.empty()) {
     throw InvalidArgument(hexoderm::message("a message can't be sent: {}", why.reason));
   }
   v1::Line line;
@@ -318,30 +319,31 @@ Decoded wrongCrc(ByteView body) {
   const ByteView content = body.first(body.size() - kTail);
   const std::uint32_t found = littleEndian(body.last(kTail));
   if (body[0] == '{') {
-    return brokenPiece(OffenceKind::WrongDialect,
+    return brokenPiece(ProtocolViolationKind::WrongDialect,
                        message("this looks like a line of JSON; lines go over TCP and standard input, here bodies of "
                                "bytes with a CRC are expected"),
                        body);
   }
   if (littleEndian(body) == body.size() - sizeof(std::uint32_t)) {
-    return brokenPiece(OffenceKind::WrongDialect,
+    return brokenPiece(ProtocolViolationKind::WrongDialect,
                        message("a length stands before the body; here the body is expected alone"), body);
   }
   if (found == boost::endian::endian_reverse(crc32c(content))) {
-    return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is big-endian, expected little-endian"), body);
-  }
-  if (found == crc32(content) || found == boost::endian::endian_reverse(crc32(content))) {
-    return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)"),
+    return brokenPiece(ProtocolViolationKind::BrokenFrame, message("the CRC is big-endian, expected little-endian"),
                        body);
   }
-  return brokenPiece(OffenceKind::BrokenFrame, message("the CRC is wrong"), body);
+  if (found == crc32(content) || found == boost::endian::endian_reverse(crc32(content))) {
+    return brokenPiece(ProtocolViolationKind::BrokenFrame,
+                       message("the CRC is CRC-32, expected CRC-32C (polynomial 0x1EDC6F41)"), body);
+  }
+  return brokenPiece(ProtocolViolationKind::BrokenFrame, message("the CRC is wrong"), body);
 }
 
-/// Offences of a line with where they were found.
-Decoded withOffencesOf(std::string_view line, Decoded decoded) {
-  std::vector<Offence> found = offencesOfLine(line);
+/// ProtocolViolations of a line with where they were found.
+Decoded withViolationsOf(std::string_view line, Decoded decoded) {
+  std::vector<ProtocolViolation> found = offencesOfLine(line);
   found.insert(found.end(), decoded.offences.begin(), decoded.offences.end());
-  for (Offence& offence : found) offence.excerpt = excerptOf(line);
+  for (ProtocolViolation& offence : found) offence.excerpt = excerptOf(line);
   decoded.offences = std::move(found);
   return decoded;
 }
@@ -358,7 +360,7 @@ std::optional<std::uint32_t> majorOfLine(std::string_view line) {
 
 }  // namespace
 
-Decoded brokenPiece(OffenceKind kind, hexoderm::Message reason, ByteView beginning) {
+Decoded brokenPiece(ProtocolViolationKind kind, hexoderm::Message reason, ByteView beginning) {
   Decoded broken;
   broken.offences.push_back({kind, std::move(reason), excerptOf(asText(beginning))});
   return broken;
@@ -388,14 +390,14 @@ Bytes encodeBody(const Message& message) {
 
 Decoded decodeBody(ByteView body) {
   if (body.size() < kHead + kTail || body.size() > kMaxBody) {
-    return brokenPiece(OffenceKind::BrokenFrame, message("expected 6 to {} bytes, found {}", kMaxBody, body.size()),
-                       body);
+    return brokenPiece(ProtocolViolationKind::BrokenFrame,
+                       message("expected 6 to {} bytes, found {}", kMaxBody, body.size()), body);
   }
   const ByteView content = body.first(body.size() - kTail);
   if (littleEndian(body.last(kTail)) != crc32c(content)) return wrongCrc(body);
   if (body[0] != kMajor) return otherMajor(body[0]);
   Decoded decoded = parsePayload(body[1], content.subspan(kHead));
-  for (Offence& offence : decoded.offences) offence.excerpt = excerptOf(asText(body));
+  for (ProtocolViolation& offence : decoded.offences) offence.excerpt = excerptOf(asText(body));
   return decoded;
 }
 
@@ -414,7 +416,7 @@ std::string encodeLine(const Message& message) {
 Decoded decodeLine(std::string_view line) {
   if (line.ends_with('\r')) line.remove_suffix(1);
   if (line.size() > kMaxBody) {
-    return brokenPiece(OffenceKind::WrongLength, message("expected a line of at most {} bytes", kMaxBody),
+    return brokenPiece(ProtocolViolationKind::WrongLength, message("expected a line of at most {} bytes", kMaxBody),
                        ByteView(reinterpret_cast<const std::uint8_t*>(line.data()), line.size()));
   }
   const NoWordsOfProtobuf quiet;
@@ -424,7 +426,7 @@ Decoded decodeLine(std::string_view line) {
   if (google::protobuf::util::JsonStringToMessage(text, &proto, options).ok()) {
     if (proto.major() > kMajor) return otherMajor(proto.major());
     Decoded decoded = messageIn(proto);
-    return decoded.outcome == DecodeOutcome::Understood ? decoded : withOffencesOf(line, std::move(decoded));
+    return decoded.outcome == DecodeOutcome::Understood ? decoded : withViolationsOf(line, std::move(decoded));
   }
   // A second time, leaving out what is not known: a device that is newer, or whose maker misspelt it.
   proto.Clear();
@@ -432,14 +434,13 @@ Decoded decodeLine(std::string_view line) {
   const auto status = google::protobuf::util::JsonStringToMessage(text, &proto, options);
   const std::optional<std::uint32_t> major = status.ok() ? proto.major() : majorOfLine(line);
   if (major && *major > kMajor) return otherMajor(*major);
-  if (status.ok()) return withOffencesOf(line, messageIn(proto));
-  Decoded broken = withOffencesOf(line, {});
+  if (status.ok()) return withViolationsOf(line, messageIn(proto));
+  Decoded broken = withViolationsOf(line, {});
   if (broken.offences.empty()) {
     // The library's message may quote the whole line.
-    constexpr std::size_t kMost = 160;
-    broken.offences.push_back({OffenceKind::NotAMessage,
-                               message("this is no message: {}", excerptOf(status.ToString(), kMost)),
-                               excerptOf(line)});
+    constexpr std::size_t kMax = 160;
+    broken.offences.push_back({ProtocolViolationKind::NotAMessage,
+                               message("this is no message: {}", excerptOf(status.ToString(), kMax)), excerptOf(line)});
   }
   broken.major = kMajor;
   return broken;

@@ -27,7 +27,7 @@ struct Decoded {
   std::uint32_t major = 0;  ///< 0: not known, because length or CRC are wrong
   /// The faults, that which the others may follow from first; at least one unless the outcome is Understood. A message
   /// that was understood all the same may have fields that are not known.
-  std::vector<Offence> offences{};
+  std::vector<ProtocolViolation> offences{};
 
   /// The first fault; empty if there is none.
   [[nodiscard]] hexoderm::Message reason() const {
@@ -36,7 +36,7 @@ struct Decoded {
 };
 
 /// A piece of a stream that gave no message, whose beginning is given.
-Decoded brokenPiece(OffenceKind kind, hexoderm::Message reason, ByteView beginning = {});
+Decoded brokenPiece(ProtocolViolationKind kind, hexoderm::Message reason, ByteView beginning = {});
 
 /// major, type, protobuf payload, CRC-32C: what every framing of bytes carries. Throws InvalidArgument if the message
 /// has a complaint or its body would be longer than kMaxBody.

@@ -26,12 +26,12 @@ bool isNoText(std::uint8_t byte) { return byte < 0x07; }
 
 /// Whether bytes are those of a serial port: the first ones begin a frame in COBS, or some between two 0x00 are one.
 bool looksLikeCobs(ByteView bytes) {
-  constexpr std::uint8_t kLeastCode = 3;  // the body begins with two bytes that are not 0
-  constexpr std::uint8_t kMostType = 7;
+  constexpr std::uint8_t kMinCode = 3;  // the body begins with two bytes that are not 0
+  constexpr std::uint8_t kMaxType = 7;
   const auto isZero = [](std::uint8_t byte) { return byte == 0; };
   auto at = std::ranges::find_if_not(bytes, isZero);
-  if (bytes.end() - at >= 3 && at - bytes.begin() <= 1 && at[0] >= kLeastCode && at[1] == kMajor && at[2] >= 1 &&
-      at[2] <= kMostType) {
+  if (bytes.end() - at >= 3 && at - bytes.begin() <= 1 && at[0] >= kMinCode && at[1] == kMajor && at[2] >= 1 &&
+      at[2] <= kMaxType) {
     return true;
   }
   while (true) {
@@ -43,7 +43,7 @@ bool looksLikeCobs(ByteView bytes) {
   }
 }
 
-hexoderm::Message cobsInWords() {
+hexoderm::Message cobsText() {
   return message(
       "this looks like the framing of a serial port (COBS), expected a frame that begins with its length; is there a "
       "bridge from a serial port? Make a pseudo-terminal of it, and use serial:");
@@ -138,11 +138,11 @@ std::optional<Decoded> FrameDecoder::detect() {
   framing_ = first.back() == 0 ? Framing::Length : Framing::Lines;
   if (*framing_ == Framing::Length || std::ranges::none_of(first, isNoText)) return std::nullopt;
   const ByteView beginning = rest().first(std::min(rest().size(), kBeginning));
-  if (looksLikeCobs(rest())) return getStuck(brokenPiece(OffenceKind::WrongDialect, cobsInWords(), beginning));
+  if (looksLikeCobs(rest())) return getStuck(brokenPiece(ProtocolViolationKind::WrongDialect, cobsText(), beginning));
   return getStuck(first.front() == 0
-                      ? brokenPiece(OffenceKind::BrokenFrame,
+                      ? brokenPiece(ProtocolViolationKind::BrokenFrame,
                                     message("the length of a frame is big-endian, expected little-endian"), beginning)
-                      : brokenPiece(OffenceKind::WrongDialect,
+                      : brokenPiece(ProtocolViolationKind::WrongDialect,
                                     message("this is neither a line of JSON nor a frame that begins with its length"),
                                     beginning));
 }
@@ -158,11 +158,11 @@ Decoded FrameDecoder::wrongLength(std::uint32_t length) const {
   const ByteView bytes = rest();
   const ByteView beginning = bytes.first(std::min(bytes.size(), kBeginning));
   if (bytes[0] == 0xFF && bytes[1] == 0xFE) {
-    return brokenPiece(OffenceKind::WrongDialect, message("this is text in UTF-16, expected lines of JSON in UTF-8"),
-                       beginning);
+    return brokenPiece(ProtocolViolationKind::WrongDialect,
+                       message("this is text in UTF-16, expected lines of JSON in UTF-8"), beginning);
   }
-  if (looksLikeCobs(bytes)) return brokenPiece(OffenceKind::WrongDialect, cobsInWords(), beginning);
-  return brokenPiece(OffenceKind::BrokenFrame,
+  if (looksLikeCobs(bytes)) return brokenPiece(ProtocolViolationKind::WrongDialect, cobsText(), beginning);
+  return brokenPiece(ProtocolViolationKind::BrokenFrame,
                      message("a frame says that it is {} bytes long, the limit is {}", length, kMaxBody), beginning);
 }
 
@@ -180,26 +180,27 @@ std::optional<Decoded> FrameDecoder::nextByLength() {
 Decoded FrameDecoder::decodePiece(ByteView piece) const {
   if (*framing_ == Framing::Lines) return decodeLine({reinterpret_cast<const char*>(piece.data()), piece.size()});
   if (const std::optional<Bytes> body = decodeCobs(piece)) return decodeBody(*body);
-  return brokenPiece(OffenceKind::BrokenFrame, message("the bytes before a 0x00 are not COBS"), piece);
+  return brokenPiece(ProtocolViolationKind::BrokenFrame, message("the bytes before a 0x00 are not COBS"), piece);
 }
 
-std::optional<Offence> FrameDecoder::complaintOfWaiting() const {
-  constexpr std::size_t kMostSearched = 65'536;
+std::optional<ProtocolViolation> FrameDecoder::complaintOfWaiting() const {
+  constexpr std::size_t kMaxSearched = 65'536;
   if (!framing_ || *framing_ == Framing::Length || skipping_) return std::nullopt;
-  const ByteView waiting = rest().first(std::min(rest().size(), kMostSearched));
+  const ByteView waiting = rest().first(std::min(rest().size(), kMaxSearched));
   const std::string_view text(reinterpret_cast<const char*>(waiting.data()), waiting.size());
   if (*framing_ == Framing::Cobs && text.starts_with('{') && text.find('\n') != std::string_view::npos) {
-    return Offence{OffenceKind::WrongDialect,
-                   message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a "
-                           "0x00, are expected"),
-                   excerptOf(text)};
+    return ProtocolViolation{
+        ProtocolViolationKind::WrongDialect,
+        message("this looks like lines of JSON; on a serial port frames of bytes in COBS, each before a "
+                "0x00, are expected"),
+        excerptOf(text)};
   }
   if (*framing_ == Framing::Lines && looksLikeCobs(waiting)) {
-    return Offence{OffenceKind::WrongDialect, cobsInWords(), excerptOf(text)};
+    return ProtocolViolation{ProtocolViolationKind::WrongDialect, cobsText(), excerptOf(text)};
   }
   if (*framing_ == Framing::Lines && lacksLineFeeds(text)) {
-    return Offence{OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message"),
-                   excerptOf(text)};
+    return ProtocolViolation{ProtocolViolationKind::NoLineFeed,
+                             message("expected a line feed (0x0A) after every message"), excerptOf(text)};
   }
   return std::nullopt;
 }
@@ -224,7 +225,7 @@ std::optional<Decoded> FrameDecoder::nextByDelimiter(std::uint8_t delimiter, std
     }
     if (length > longest) {
       skipping_ = !is_whole;
-      return brokenPiece(OffenceKind::BrokenFrame, message("more than {} bytes without an end", longest),
+      return brokenPiece(ProtocolViolationKind::BrokenFrame, message("more than {} bytes without an end", longest),
                          bytes.first(kBeginning));
     }
     const ByteView piece = bytes.first(length);

@@ -48,7 +48,7 @@ class FrameDecoder {
   [[nodiscard]] const hexoderm::Message& stuck() const { return stuck_; }
   /// What is wrong with bytes that seem to wait for the rest of their frame, and would do so for ever: messages without
   /// the delimiter that they need.
-  [[nodiscard]] std::optional<Offence> complaintOfWaiting() const;
+  [[nodiscard]] std::optional<ProtocolViolation> complaintOfWaiting() const;
   /// Bytes that wait for the rest of their frame.
   [[nodiscard]] std::size_t buffered() const { return buffer_.size() - begin_; }
 

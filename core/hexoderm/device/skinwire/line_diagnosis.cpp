@@ -1,8 +1,8 @@
 #include "hexoderm/device/skinwire/line_diagnosis.h"
 
-#include "hexoderm/base/near_match.h"
+#include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/device/offence_log.h"
+#include "hexoderm/device/protocol_violation_log.h"
 
 #include <google/protobuf/descriptor.h>
 
@@ -21,13 +21,13 @@ using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 using Json = nlohmann::json;
 
-constexpr std::size_t kMostOfAValue = 40;
+constexpr std::size_t kMaxOfAValue = 40;
 
-hexoderm::Message valueInWords(const Json& value) {
+hexoderm::Message valueText(const Json& value) {
   if (value.is_array()) return message("an array of {}", value.size());
   if (value.is_object()) return message("an object");
   return hexoderm::Message::verbatim(
-      excerptOf(value.dump(-1, ' ', true, Json::error_handler_t::replace), kMostOfAValue));
+      excerptOf(value.dump(-1, ' ', true, Json::error_handler_t::replace), kMaxOfAValue));
 }
 
 const FieldDescriptor* findField(const Descriptor& type, const std::string& key) {
@@ -54,13 +54,14 @@ class LineInspector {
   void inspectLine(const Json& line) {
     const Descriptor& type = *v1::Line::descriptor();
     if (!line.is_object()) {
-      return add(OffenceKind::NotAMessage,
+      return add(ProtocolViolationKind::NotAMessage,
                  message("expected an object with one member, which names the message ({}), found {}", messageNames(),
-                         valueInWords(line)));
+                         valueText(line)));
     }
     std::size_t messages = 0;
     for (const auto& [key, value] : line.items()) messages += isMessage(type, key) && !value.is_null() ? 1 : 0;
-    if (messages > 1) add(OffenceKind::NotAMessage, message("expected one message in a line, found {}", messages));
+    if (messages > 1)
+      add(ProtocolViolationKind::NotAMessage, message("expected one message in a line, found {}", messages));
     for (const auto& [key, value] : line.items()) {
       if (const FieldDescriptor* field = findField(type, key)) {
         inspectField(*field, value, key);
@@ -69,12 +70,12 @@ class LineInspector {
       }
     }
     if (messages == 0 && log_.offences().empty()) {
-      add(OffenceKind::UnknownMessage,
+      add(ProtocolViolationKind::UnknownMessage,
           message("expected a member that names the message ({}), found none", messageNames()));
     }
   }
 
-  [[nodiscard]] std::vector<Offence> offences() const { return log_.offences(); }
+  [[nodiscard]] std::vector<ProtocolViolation> offences() const { return log_.offences(); }
 
  private:
   static bool isMessage(const Descriptor& line, const std::string& key) {
@@ -88,22 +89,23 @@ class LineInspector {
     return names;
   }
 
-  void add(OffenceKind kind, hexoderm::Message reason) { log_.add({kind, std::move(reason)}); }
-  void add(OffenceKind kind, const std::string& place, hexoderm::Message what) {
+  void add(ProtocolViolationKind kind, hexoderm::Message reason) { log_.add({kind, std::move(reason)}); }
+  void add(ProtocolViolationKind kind, const std::string& place, hexoderm::Message what) {
     add(kind, located(place, std::move(what)));
   }
 
   void addUnknownMessage(const std::string& key) {
     const std::vector<std::string> names = messageNames();
-    const std::string found = excerptOf(key, kMostOfAValue);
-    const std::optional<std::string> meant = nearMatch(key, names);
-    add(OffenceKind::UnknownMessage, meant ? message("there is no message \"{}\"; did you mean \"{}\"?", found, *meant)
-                                           : message("there is no message \"{}\"; expected one of {}", found, names));
+    const std::string found = excerptOf(key, kMaxOfAValue);
+    const std::optional<std::string> meant = spellingSuggestion(key, names);
+    add(ProtocolViolationKind::UnknownMessage,
+        meant ? message("there is no message \"{}\"; did you mean \"{}\"?", found, *meant)
+              : message("there is no message \"{}\"; expected one of {}", found, names));
   }
 
   void inspectMessage(const Descriptor& type, const Json& value, const std::string& place) {
     if (!value.is_object()) {
-      return add(OffenceKind::WrongType, place, message("expected an object, found {}", valueInWords(value)));
+      return add(ProtocolViolationKind::WrongType, place, message("expected an object, found {}", valueText(value)));
     }
     for (const auto& [key, item] : value.items()) {
       const FieldDescriptor* field = findField(type, key);
@@ -112,8 +114,8 @@ class LineInspector {
         continue;
       }
       const std::vector<std::string> names = fieldNames(type);
-      const std::optional<std::string> meant = nearMatch(key, names);
-      add(OffenceKind::UnknownField, place + "." + excerptOf(key, kMostOfAValue),
+      const std::optional<std::string> meant = spellingSuggestion(key, names);
+      add(ProtocolViolationKind::UnknownField, place + "." + excerptOf(key, kMaxOfAValue),
           meant ? message("there is no such field; did you mean {}?", *meant)
                 : message("there is no such field; there are {}", names));
     }
@@ -123,7 +125,7 @@ class LineInspector {
     if (value.is_null()) return;  // absent
     if (!field.is_repeated()) return inspectValue(field, value, place);
     if (!value.is_array()) {
-      return add(OffenceKind::WrongType, place, message("expected an array, found {}", valueInWords(value)));
+      return add(ProtocolViolationKind::WrongType, place, message("expected an array, found {}", valueText(value)));
     }
     for (std::size_t k = 0; k < value.size(); ++k) inspectValue(field, value[k], place + "[" + std::to_string(k) + "]");
   }
@@ -134,15 +136,15 @@ class LineInspector {
         return inspectMessage(*field.message_type(), value, place);
       case FieldDescriptor::CPPTYPE_BOOL:
         if (!value.is_boolean()) {
-          add(OffenceKind::WrongType, place, message("expected true or false, found {}", valueInWords(value)));
+          add(ProtocolViolationKind::WrongType, place, message("expected true or false, found {}", valueText(value)));
         }
         return;
       case FieldDescriptor::CPPTYPE_STRING:
         if (!value.is_string()) {
-          add(OffenceKind::WrongType, place,
+          add(ProtocolViolationKind::WrongType, place,
               field.name() == "cell_model" && value.is_object()
                   ? message("expected a text, found an object; a cell model goes as the text of its JSON")
-                  : message("expected a text, found {}", valueInWords(value)));
+                  : message("expected a text, found {}", valueText(value)));
         }
         return;
       case FieldDescriptor::CPPTYPE_INT32:
@@ -162,8 +164,8 @@ class LineInspector {
     if (!number) return;
     const bool is_within = *number >= static_cast<double>(least) && *number <= static_cast<double>(most);
     if (is_within && std::floor(*number) == *number) return;
-    add(OffenceKind::WrongValue, place,
-        message("expected a whole number from {} to {}, found {}", least, most, valueInWords(value)));
+    add(ProtocolViolationKind::WrongValue, place,
+        message("expected a whole number from {} to {}, found {}", least, most, valueText(value)));
   }
 
   /// The number; nullopt if there is none, which is then an offence.
@@ -172,11 +174,11 @@ class LineInspector {
     if (value.is_string()) {
       if (const std::optional<double> number = numberIn(value.get_ref<const std::string&>())) return number;
     }
-    add(OffenceKind::WrongType, place, message("expected a number, found {}", valueInWords(value)));
+    add(ProtocolViolationKind::WrongType, place, message("expected a number, found {}", valueText(value)));
     return std::nullopt;
   }
 
-  OffenceLog log_;
+  ProtocolViolationLog log_;
 };
 
 bool isWordCharacter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
@@ -194,21 +196,21 @@ std::string notFiniteWordAt(std::string_view line, std::size_t at) {
   return {};
 }
 
-Offence notJson(std::string_view line, std::size_t byte) {
+ProtocolViolation notJson(std::string_view line, std::size_t byte) {
   if (lacksLineFeeds(line)) {
-    return {OffenceKind::NoLineFeed, message("expected a line feed (0x0A) after every message")};
+    return {ProtocolViolationKind::NoLineFeed, message("expected a line feed (0x0A) after every message")};
   }
   const std::size_t at = byte == 0 ? 0 : byte - 1;
   if (const std::string word = notFiniteWordAt(line, at); !word.empty()) {
     return {
-        OffenceKind::WrongValue,
+        ProtocolViolationKind::WrongValue,
         message("character {}: expected finite numbers, found {}; leave out a cell that has no reading", at + 1, word)};
   }
   if (at >= line.size() && line.find_first_of("{[") != std::string_view::npos) {
-    return {OffenceKind::NotJson,
+    return {ProtocolViolationKind::NotJson,
             message("the line ends in the middle of its JSON; expected a whole message in one line")};
   }
-  return {OffenceKind::NotJson,
+  return {ProtocolViolationKind::NotJson,
           message("character {} is not JSON any more; expected a line like {}", at + 1,
                   R"({"samples": {"time_us": 10000, "cells": [1], "acceleration_g": [0, 0, 1]}})")};
 }
@@ -227,7 +229,7 @@ bool lacksLineFeeds(std::string_view text) {
   return false;
 }
 
-std::vector<Offence> offencesOfLine(std::string_view line) {
+std::vector<ProtocolViolation> offencesOfLine(std::string_view line) {
   try {
     LineInspector inspector;
     inspector.inspectLine(Json::parse(line));
@@ -235,7 +237,7 @@ std::vector<Offence> offencesOfLine(std::string_view line) {
   } catch (const Json::parse_error& error) {
     return {notJson(line, error.byte)};
   } catch (const Json::exception&) {
-    return {{OffenceKind::WrongValue, message("expected finite numbers, found one that is too large")}};
+    return {{ProtocolViolationKind::WrongValue, message("expected finite numbers, found one that is too large")}};
   }
 }
 

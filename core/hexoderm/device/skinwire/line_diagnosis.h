@@ -2,7 +2,7 @@
 
 // Private to skinwire/: for the maker of a device, not for its messages.
 
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 
 #include <string_view>
 #include <vector>
@@ -14,6 +14,6 @@ bool lacksLineFeeds(std::string_view text);
 
 /// What is wrong with a line, found by comparing it with the messages of skinwire.proto: the first of each kind, that
 /// which the others may follow from first. Empty for a line without an unknown field that protobuf can read.
-std::vector<Offence> offencesOfLine(std::string_view line);
+std::vector<ProtocolViolation> offencesOfLine(std::string_view line);
 
 }  // namespace hexoderm::skinwire

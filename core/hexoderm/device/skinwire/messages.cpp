@@ -20,36 +20,36 @@ bool allFinite(const std::vector<float>& values) {
   return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
 }
 
-Complaint wrongValue(const char* field, hexoderm::Message what) {
-  return {OffenceKind::WrongValue, located(field, std::move(what))};
+ValidationError wrongValue(const char* field, hexoderm::Message what) {
+  return {ProtocolViolationKind::WrongValue, located(field, std::move(what))};
 }
-Complaint wrongLength(const char* field, hexoderm::Message what) {
-  return {OffenceKind::WrongLength, located(field, std::move(what))};
+ValidationError wrongLength(const char* field, hexoderm::Message what) {
+  return {ProtocolViolationKind::WrongLength, located(field, std::move(what))};
 }
 
 /// The first that says something.
-Complaint firstOf(std::initializer_list<Complaint> complaints) {
-  for (const Complaint& one : complaints) {
+ValidationError firstOf(std::initializer_list<ValidationError> complaints) {
+  for (const ValidationError& one : complaints) {
     if (!one.empty()) return one;
   }
   return {};
 }
 
-Complaint wrongSize(const char* field, std::size_t expected, std::size_t found) {
+ValidationError wrongSize(const char* field, std::size_t expected, std::size_t found) {
   if (expected == found) return {};
   return wrongLength(field, message("expected {} numbers, found {}", expected, found));
 }
 
-Complaint tooLong(const char* field, const std::string& text, std::size_t most) {
+ValidationError tooLong(const char* field, const std::string& text, std::size_t most) {
   if (text.size() <= most) return {};
   return wrongLength(field, message("expected at most {} bytes, found {}", most, text.size()));
 }
 
-Complaint notFinite(const char* field, const std::vector<float>& values) {
-  return allFinite(values) ? Complaint{} : wrongValue(field, message("expected finite numbers"));
+ValidationError notFinite(const char* field, const std::vector<float>& values) {
+  return allFinite(values) ? ValidationError{} : wrongValue(field, message("expected finite numbers"));
 }
 
-Complaint complain(const Hello& hello) {
+ValidationError complain(const Hello& hello) {
   if (hello.cell_model.empty()) {
     return wrongValue("hello.cell_model",
                       message("expected a built-in model's name or a model as JSON text, found nothing"));
@@ -61,7 +61,7 @@ Complaint complain(const Hello& hello) {
       {tooLong("hello.device", hello.device, kMaxText), tooLong("hello.cell_model", hello.cell_model, kMaxModelText)});
 }
 
-Complaint complain(const Topology& topology) {
+ValidationError complain(const Topology& topology) {
   if (topology.parts < 1 || topology.parts > kMaxCells) {
     return wrongValue("topology.parts", message("expected 1 to {}", kMaxCells));
   }
@@ -73,13 +73,13 @@ Complaint complain(const Topology& topology) {
     return wrongLength("topology.cells", message("expected at most {} cells", kMaxCells));
   }
   for (const CellReport& cell : topology.cells) {
-    if (Complaint why = tooLong("topology.cells.body_part", cell.body_part, kMaxText); !why.empty()) return why;
+    if (ValidationError why = tooLong("topology.cells.body_part", cell.body_part, kMaxText); !why.empty()) return why;
   }
   return {};
 }
 
-Complaint complainOfMeans(const Samples& samples, std::size_t per_tick) {
-  const Complaint why =
+ValidationError complainOfMeans(const Samples& samples, std::size_t per_tick) {
+  const ValidationError why =
       firstOf({wrongSize("samples.mean_g", per_tick, samples.mean_g.size()),
                wrongSize("samples.variance_g2", per_tick, samples.variance_g2.size()),
                wrongSize("samples.count", samples.cells.size(), samples.count.size()),
@@ -94,7 +94,7 @@ Complaint complainOfMeans(const Samples& samples, std::size_t per_tick) {
   return {};
 }
 
-Complaint complainOfValues(const Samples& samples) {
+ValidationError complainOfValues(const Samples& samples) {
   const std::size_t per_tick = 3 * samples.cells.size();
   const int kinds =
       (samples.raw_lsb.empty() ? 0 : 1) + (samples.acceleration_g.empty() ? 0 : 1) + (samples.mean_g.empty() ? 0 : 1);
@@ -118,8 +118,8 @@ Complaint complainOfValues(const Samples& samples) {
   return notFinite("samples.acceleration_g", samples.acceleration_g);
 }
 
-Complaint complain(const Samples& samples) {
-  const Complaint why =
+ValidationError complain(const Samples& samples) {
+  const ValidationError why =
       firstOf({complainOfValues(samples),
                wrongSize("samples.temperature_c", samples.temperature_cells.size(), samples.temperature_c.size()),
                notFinite("samples.temperature_c", samples.temperature_c)});
@@ -139,9 +139,9 @@ Complaint complain(const Samples& samples) {
   return {};
 }
 
-Complaint complain(const Status& status) { return tooLong("status.text", status.text, kMaxText); }
+ValidationError complain(const Status& status) { return tooLong("status.text", status.text, kMaxText); }
 
-Complaint complain(const Command& command) {
+ValidationError complain(const Command& command) {
   if (const auto* rate = std::get_if<SetRate>(&command.request)) {
     if (!(rate->rate_hz > 0 && rate->rate_hz <= kMaxRate_hz)) {
       return wrongValue("set_rate.rate_hz", message("expected above 0, up to {}", kMaxRate));
@@ -155,31 +155,31 @@ Complaint complain(const Command& command) {
   return {};
 }
 
-Complaint complain(const Ack& ack) {
+ValidationError complain(const Ack& ack) {
   if (ack.done && ack.working) return wrongValue("ack", message("expected done or working, found both"));
   return tooLong("ack.text", ack.text, kMaxText);
 }
 
-Complaint complain(const Joints& joints) {
+ValidationError complain(const Joints& joints) {
   if (joints.time_us > kMaxTime_us) return wrongValue("joints.time_us", message("expected at most 2^53"));
   if (joints.position.empty() || joints.position.size() > kMaxJoints) {
     return wrongLength("joints.position",
                        message("expected 1 to {} numbers, found {}", kMaxJoints, joints.position.size()));
   }
   if (!joints.names.empty()) {
-    if (Complaint why = wrongSize("joints.position", joints.names.size(), joints.position.size()); !why.empty()) {
+    if (ValidationError why = wrongSize("joints.position", joints.names.size(), joints.position.size()); !why.empty()) {
       return why;
     }
   }
   std::set<std::string_view> names;
   for (const std::string& name : joints.names) {
-    if (Complaint why = tooLong("joints.names", name, kMaxText); !why.empty()) return why;
+    if (ValidationError why = tooLong("joints.names", name, kMaxText); !why.empty()) return why;
     if (name.empty()) return wrongValue("joints.names", message("expected the name of a joint, found nothing"));
     if (!names.insert(name).second) return wrongValue("joints.names", message("expected each joint once"));
   }
-  const auto isPosition = [](double position) { return std::abs(position) <= kMostJointPosition; };  // NaN is none
+  const auto isPosition = [](double position) { return std::abs(position) <= kMaxJointPosition; };  // NaN is none
   if (!std::ranges::all_of(joints.position, isPosition)) {
-    return wrongValue("joints.position", message("expected finite numbers, at most {}", Number{kMostJointPosition, 0}));
+    return wrongValue("joints.position", message("expected finite numbers, at most {}", Number{kMaxJointPosition, 0}));
   }
   return {};
 }
@@ -191,7 +191,7 @@ std::size_t Samples::ticks() const {
   return mean_g.empty() ? (raw_lsb.size() + acceleration_g.size()) / (3 * cells.size()) : 1;
 }
 
-Complaint complaint(const Message& message) {
+ValidationError complaint(const Message& message) {
   return std::visit([](const auto& m) { return complain(m); }, message);
 }
 

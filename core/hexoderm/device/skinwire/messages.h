@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/device/offence.h"
+#include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/skin/neighbor_list.h"
 
 #include <Eigen/Core>
@@ -134,14 +134,14 @@ struct Joints {
 using Message = std::variant<Hello, Topology, Samples, Status, Command, Ack, Joints>;
 
 /// The fault of a message beyond its syntax; empty if there is none.
-struct Complaint {
-  OffenceKind kind{};                                          ///< WrongLength or WrongValue
+struct ValidationError {
+  ProtocolViolationKind kind{};                                ///< WrongLength or WrongValue
   hexoderm::Message reason{};                                  ///< the field and what is expected there
   [[nodiscard]] bool empty() const { return reason.empty(); }  ///< nothing is wrong
 };
 
 /// Looks for numbers that are not finite, lengths that don't fit together, times, counts, IDs and texts out of range.
 /// Faults that show only against the topology are not looked for.
-Complaint complaint(const Message& message);
+ValidationError complaint(const Message& message);
 
 }  // namespace hexoderm::skinwire

@@ -29,13 +29,13 @@ std::size_t sizeOf(const Lsb& lsb) { return zigzagSize(lsb[0]) + zigzagSize(lsb[
 
 /// The reading in LSB if it comes back as the same doubles.
 std::optional<Lsb> exactLsb(const Eigen::Vector3d& acceleration_g, double lsb_g) {
-  constexpr double kMost = 1e9;
+  constexpr double kMax = 1e9;
   if (!(lsb_g > 0)) return std::nullopt;
   Lsb lsb{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const double value_g = acceleration_g[static_cast<Eigen::Index>(axis)];
     const double steps = nearestWhole(value_g / lsb_g);
-    if (!(std::abs(steps) < kMost) || steps * lsb_g != value_g) return std::nullopt;
+    if (!(std::abs(steps) < kMax) || steps * lsb_g != value_g) return std::nullopt;
     lsb[axis] = static_cast<std::int32_t>(steps);
   }
   return lsb;

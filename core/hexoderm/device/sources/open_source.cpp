@@ -60,12 +60,12 @@ const SourceKind& kindOf(const std::string& address) {
   for (const SourceKind& kind : sourceKinds()) {
     if (address.starts_with(kind.prefix)) return kind;
   }
-  throw InvalidArgument(message("source \"{}\": expected one of {}", address, sourceKindsInWords()));
+  throw InvalidArgument(message("source \"{}\": expected one of {}", address, sourceKindsText()));
 }
 
 }  // namespace
 
-std::string sourceKindsInWords() { return inARow(sourceKinds(), &SourceKind::example); }
+std::string sourceKindsText() { return inARow(sourceKinds(), &SourceKind::example); }
 
 std::span<const SourceKind> sourceKinds() { return kinds(); }
 

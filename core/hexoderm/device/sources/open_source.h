@@ -23,11 +23,11 @@ std::span<const SourceKind> sourceKinds();
 /// Adds a kind of source, or replaces the one of the same prefix. Call it before any source is opened: it is not
 /// synchronised with the functions of this header.
 void addSourceKind(SourceKind kind);
-std::string sourceKindsInWords();  ///< "tcp://HOST:PORT, udp://HOST:PORT, ..."
+std::string sourceKindsText();  ///< "tcp://HOST:PORT, udp://HOST:PORT, ..."
 
 /// A source, not yet started: "tcp://HOST:PORT", "udp://HOST:PORT", "serial:/dev/tty...[?baud=N]", "stdin",
-/// "replay:FILE[?speed=X|max|step]", or of a kind that was added. Throws InvalidArgument naming the expected address, and
-/// whatever the added kind throws.
+/// "replay:FILE[?speed=X|max|step]", or of a kind that was added. Throws InvalidArgument naming the expected address,
+/// and whatever the added kind throws.
 std::unique_ptr<SkinSource> openSkinSource(const std::string& address);
 
 /// Throws as openSkinSource() for what is wrong with the address itself. Opens and builds nothing, and is quick enough

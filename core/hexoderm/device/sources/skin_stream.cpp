@@ -128,7 +128,7 @@ SkinStream::Effect SkinStream::takeJoints(skinwire::Joints joints) {
     countRejected(
         located("joints.position", message("expected a number for each of {} joints that were named, found {}",
                                            joint_names_.size(), joints.position.size())),
-        OffenceKind::WrongLength);
+        ProtocolViolationKind::WrongLength);
     return Effect::Nothing;
   }
   if (joints.time_us < last_joints_us_) {
@@ -144,8 +144,8 @@ SkinStream::Effect SkinStream::takeJoints(skinwire::Joints joints) {
   return Effect::Alive;
 }
 
-void SkinStream::countRejected(const Message& why, OffenceKind kind) {
-  note(Offence{kind, why});
+void SkinStream::countRejected(const Message& why, ProtocolViolationKind kind) {
+  note(ProtocolViolation{kind, why});
   reject(why);
 }
 
@@ -172,7 +172,7 @@ SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello, Clock::ti
       if (announced_) noteNewModel(*announced_->model);
     } catch (const Error& error) {
       model_complaint_ = printable(error.message());
-      countRejected(located("hello.cell_model", model_complaint_), OffenceKind::CellModel);
+      countRejected(located("hello.cell_model", model_complaint_), ProtocolViolationKind::CellModel);
     }
     is_topology_judged_ = false;
   }
@@ -304,11 +304,12 @@ SkinStream::Effect SkinStream::takeSamples(const skinwire::Samples& samples) {
   }
   if (!samples.raw_lsb.empty() && !(model_->accelerometer.lsb_g > 0)) {
     countRejected(message("samples in LSB need a cell model whose accelerometer.lsb_g is above 0"),
-                  OffenceKind::NoScale);
+                  ProtocolViolationKind::NoScale);
     return Effect::Nothing;
   }
   if (!lookUpCells(samples.cells)) {
-    countRejected(located("samples.cells", message("a cell is twice in one message")), OffenceKind::RepeatedCell);
+    countRejected(located("samples.cells", message("a cell is twice in one message")),
+                  ProtocolViolationKind::RepeatedCell);
     return Effect::Nothing;
   }
   bool late = isLate(samples);

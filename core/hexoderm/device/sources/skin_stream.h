@@ -2,8 +2,8 @@
 
 // Private to device/: what every source of SkinWire messages does with them.
 
-#include "hexoderm/device/offence_log.h"
 #include "hexoderm/device/plausibility.h"
+#include "hexoderm/device/protocol_violation_log.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
@@ -87,9 +87,9 @@ class SkinStream {
   /// Tells the listener if counters changed and it was not told for half a second.
   void reportCounters(Clock::time_point now);
   void countReconnect() { ++status_.reconnects; }
-  void countRejected(const Message& why, OffenceKind kind = OffenceKind::BrokenFrame);
+  void countRejected(const Message& why, ProtocolViolationKind kind = ProtocolViolationKind::BrokenFrame);
   /// Something that stays as it is while it is looked at: counted once.
-  void noteOnce(const std::optional<Offence>& offence);
+  void noteOnce(const std::optional<ProtocolViolation>& offence);
   /// A serial port delivers nothing but broken bytes at this rate. Said of the broken frames.
   void noteWrongBaud(unsigned baud);
   /// A Describe was sent to a device that ought to hear it.
@@ -119,8 +119,8 @@ class SkinStream {
   void deliver(const skinwire::Samples& samples);
   /// Counts an offence; the reason is made for the first one of its kind only.
   template <class MakeReason>
-  void note(OffenceKind kind, std::uint64_t count, const MakeReason& reason);
-  void note(const std::optional<Offence>& offence);
+  void note(ProtocolViolationKind kind, std::uint64_t count, const MakeReason& reason);
+  void note(const std::optional<ProtocolViolation>& offence);
   void noteAllOf(const skinwire::Decoded& decoded);
   void noteNewModel(const CellModel& before);
   void noteUnknownCells(const skinwire::Samples& samples);
@@ -168,7 +168,7 @@ class SkinStream {
   std::size_t looked_up_unknown_ = 0;
   SampleFrame frame_;
 
-  OffenceLog log_;
+  ProtocolViolationLog log_;
   ReadingCheck reading_check_;
   ClockCheck clock_check_;
   ClockCheck::Pace pace_ = ClockCheck::Pace::Live;

@@ -265,7 +265,7 @@ void WireConnection::send(std::uint32_t number, const SkinCommand& command) {
     return fail(number, message("the device can't turn by itself"));
   }
   const skinwire::Command message{number, requestOf(command)};
-  if (const skinwire::Complaint why = skinwire::complaint(message); !why.empty()) return fail(number, why.reason);
+  if (const skinwire::ValidationError why = skinwire::complaint(message); !why.empty()) return fail(number, why.reason);
   Bytes frame = framed(message);
   transport_->write(frame);
   pending_[number] = {std::move(frame), now + options_.command_timeout, now};

@@ -10,9 +10,9 @@ namespace hexoderm {
 namespace {
 
 /// A mistake that explains fewer degrees of freedom than this explains nothing.
-constexpr int kLeastFreedom = 3;
+constexpr int kMinFreedom = 3;
 /// Patches beyond so many, the smallest, are not looked at: one mistake explains all.
-constexpr std::size_t kMostExplained = 4;
+constexpr std::size_t kMaxExplained = 4;
 constexpr double kZeroStep_rad = 5 * kDegree;
 
 using ChangeAngle = std::function<double(double)>;
@@ -21,7 +21,7 @@ class MismatchSearch {
  public:
   MismatchSearch(const std::vector<const SeenByPatch*>& without_link, const ComparedRobot& compared)
       : patches_(without_link.begin(),
-                 without_link.begin() + static_cast<std::ptrdiff_t>(std::min(kMostExplained, without_link.size()))),
+                 without_link.begin() + static_cast<std::ptrdiff_t>(std::min(kMaxExplained, without_link.size()))),
         compared_(compared) {
     const std::vector<RobotJoint>& joints = compared.robot.joints();
     for (std::size_t joint = 0; joint < joints.size(); ++joint) {
@@ -65,7 +65,7 @@ class MismatchSearch {
       for (const std::size_t link : links) {
         const LinkTurn turn = turnOn(patch, gravity, link, compared_.test.priors);
         const bool fits =
-            turn.misfit.freedom >= kLeastFreedom && turn.misfit.probability() >= compared_.test.least_probable;
+            turn.misfit.freedom >= kMinFreedom && turn.misfit.probability() >= compared_.test.least_probable;
         if (fits) best = std::max(best.value_or(turn.log_evidence), turn.log_evidence);
       }
       if (!best) return std::nullopt;

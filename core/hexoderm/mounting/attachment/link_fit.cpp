@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kMostTurnSteps = 30;
-constexpr int kMostHalvings = 8;
+constexpr int kMaxTurnSteps = 30;
+constexpr int kMaxHalvings = 8;
 constexpr double kTurnSettled_rad = 1e-10;
 
 Index rowOf(std::size_t pose) { return static_cast<Index>(2 * pose); }
@@ -46,12 +46,12 @@ class TurnProblem {
   LinkTurn solve() {
     double cost = costOf(R_, small_);
     Eigen::LLT<Eigen::MatrixXd> factor;
-    for (int step = 0; step < kMostTurnSteps; ++step) {
+    for (int step = 0; step < kMaxTurnSteps; ++step) {
       linearize(small_);
       factor.compute(matrix_);
       Eigen::VectorXd move = -factor.solve(gradient_);
       double moved_cost = 0;
-      for (int halving = 0; halving < kMostHalvings; ++halving, move /= 2) {
+      for (int halving = 0; halving < kMaxHalvings; ++halving, move /= 2) {
         moved_cost = costOf(R_ * expSO3(move.head<3>()), small_ + move.tail(small_.size()));
         if (moved_cost <= cost) break;
       }

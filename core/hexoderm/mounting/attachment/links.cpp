@@ -377,8 +377,8 @@ class LinksFinder {
 LinksOptions::LinksOptions() : zero_sigma_rad(0.5 * kDegree), tilt_sigma_rad(1 * kDegree) {}
 
 void LinksOptions::validate() const {
-  constexpr double kMostUp = 1e6;
-  if (!isWithin(up_w, kMostUp) || !(up_w.norm() > 1 / kMostUp)) {
+  constexpr double kMaxUp = 1e6;
+  if (!isWithin(up_w, kMaxUp) || !(up_w.norm() > 1 / kMaxUp)) {
     throw InvalidArgument(message("up_w must be a direction"));
   }
   if (!(false_alarm > 0 && false_alarm < 1)) throw InvalidArgument(message("false_alarm must be between 0 and 1"));

@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kMostRobotSteps = 30;
-constexpr int kMostRobotHalvings = 8;
+constexpr int kMaxRobotSteps = 30;
+constexpr int kMaxRobotHalvings = 8;
 constexpr double kRobotSettled_rad = 1e-10;
-constexpr int kMostScales = 50;
+constexpr int kMaxScales = 50;
 constexpr double kScaleSettled = 1e-3;
 /// Degrees of freedom of Student's t of the zeros, and of the tilt: the fewer, the easier are large ones believed.
 constexpr double kScaleFreedom = 1;
@@ -49,7 +49,7 @@ class RobotProblem {
   }
 
   RobotFit solve() {
-    for (int round = 0; round < kMostScales; ++round) {
+    for (int round = 0; round < kMaxScales; ++round) {
       maximise();
       const double zero_scale =
           priors_.zero_rad > 0 && !joints_.empty()
@@ -166,12 +166,12 @@ class RobotProblem {
 
   void maximise() {
     double cost = costOf(state_);
-    for (int step = 0; step < kMostRobotSteps; ++step) {
+    for (int step = 0; step < kMaxRobotSteps; ++step) {
       linearize();
       Eigen::VectorXd move = -factor_.solve(gradient_);
       State next = moved(move);
       double next_cost = costOf(next);
-      for (int halving = 0; next_cost > cost && halving < kMostRobotHalvings; ++halving) {
+      for (int halving = 0; next_cost > cost && halving < kMaxRobotHalvings; ++halving) {
         move /= 2;
         next = moved(move);
         next_cost = costOf(next);
@@ -242,10 +242,10 @@ class RobotProblem {
       }
     }
     // Where a joint turns less than this of what is seen, its axis lies along gravity.
-    constexpr double kLeastInformation = 1;
+    constexpr double kMinInformation = 1;
     for (Index place = 0; place < places; ++place) {
       for (Index j = 0; j < joints; ++j) {
-        if (information(place, j) < kLeastInformation) continue;
+        if (information(place, j) < kMinInformation) continue;
         fit.pose_turns.push_back({static_cast<std::size_t>(place), joints_[static_cast<std::size_t>(j)],
                                   -pull(place, j) / information(place, j), 1 / std::sqrt(information(place, j))});
       }

@@ -14,7 +14,7 @@ namespace {
 /// Angular acceleration, rms per axis, that counts where none is estimated: a usual tremor's in a mean over 0.1 s.
 constexpr double kTremor_g_m = 0.6 / kStandardGravity;
 /// No direction is known better than this; keeps covariances of noiseless data positive definite.
-constexpr double kLeastSigma_rad = 1e-6;
+constexpr double kMinSigma_rad = 1e-6;
 
 /// What a swing does to the force at a point whose place is known to `lever_m` an axis only: per pose the lever arm's
 /// matrix, and the variance that the swing's own error adds.
@@ -84,7 +84,7 @@ GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::siz
       Eigen::Matrix3d C = patch.gravity_covariance->forces(used[a], used[b]);
       if (quiet != nullptr) C = tremor_share * C + (1 - tremor_share) * quiet->forces(used[a], used[b]);
       C += noise.arms[used[a]] * noise.arms[used[b]].transpose();
-      if (a == b) C += noise.own[used[a]] + kLeastSigma_rad * kLeastSigma_rad * Eigen::Matrix3d::Identity();
+      if (a == b) C += noise.own[used[a]] + kMinSigma_rad * kMinSigma_rad * Eigen::Matrix3d::Identity();
       const Eigen::Matrix2d block = across_a.transpose() * C * acrossBasis(seen.up[b]);
       seen.covariance.block<2, 2>(blockOf(a), blockOf(b)) = block;
       seen.covariance.block<2, 2>(blockOf(b), blockOf(a)) = block.transpose();

@@ -87,7 +87,7 @@ class AxisSearch {
       by_b.block<1, 2>(row, pairAt(k)) = at.u_b.transpose() * acrossBasis(b_.up[k]);
     }
     Eigen::MatrixXd spread = by_a * a_.covariance * by_a.transpose() + by_b * b_.covariance * by_b.transpose();
-    spread.diagonal().array() += kLeastDifferenceVariance;
+    spread.diagonal().array() += kMinDifferenceVariance;
     const Eigen::LLT<Eigen::MatrixXd> factor(spread);
     factor.matrixL().solveInPlace(difference);
     factor.matrixL().solveInPlace(J);
@@ -95,10 +95,10 @@ class AxisSearch {
   }
 
   [[nodiscard]] AxisCandidate descend(AxisCandidate at) const {
-    constexpr int kMostMoves = 40;
+    constexpr int kMaxMoves = 40;
     Linearized here = linearize(at);
     double damping = 1e-3;
-    for (int step = 0; step < kMostMoves && damping < 1e6; ++step) {
+    for (int step = 0; step < kMaxMoves && damping < 1e6; ++step) {
       Eigen::Matrix4d damped = here.matrix;
       damped.diagonal().array() += damping * (here.matrix.diagonal().maxCoeff() + 1);
       const Eigen::Vector4d move = -damped.ldlt().solve(here.gradient);
@@ -118,7 +118,7 @@ class AxisSearch {
     return at;
   }
 
-  static constexpr double kLeastDifferenceVariance = 1e-12;
+  static constexpr double kMinDifferenceVariance = 1e-12;
   const GravitySeen& a_;
   const GravitySeen& b_;
 };
@@ -139,10 +139,10 @@ class HingeProblem {
   }
 
   void solve() {
-    constexpr int kMostMoves = 60;
+    constexpr int kMaxMoves = 60;
     linearize(state_);
     double damping = 0;
-    for (int step = 0; step < kMostMoves && damping < 1e8; ++step) {
+    for (int step = 0; step < kMaxMoves && damping < 1e8; ++step) {
       Eigen::MatrixXd damped = matrix_;
       damped.diagonal() *= 1 + damping;
       const Eigen::VectorXd move = -damped.llt().solve(gradient_);

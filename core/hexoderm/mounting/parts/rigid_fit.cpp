@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr int kMostRigidSteps = 30;
+constexpr int kMaxRigidSteps = 30;
 constexpr double kRigidSettled_rad = 1e-10;
 
 class RigidProblem {
@@ -37,7 +37,7 @@ class RigidProblem {
 
   RigidFit solve() {
     Eigen::LLT<Eigen::MatrixXd> factor;
-    for (int step = 0; step < kMostRigidSteps; ++step) {
+    for (int step = 0; step < kMaxRigidSteps; ++step) {
       linearize();
       factor.compute(matrix_);
       const Eigen::VectorXd move = -factor.solve(gradient_);

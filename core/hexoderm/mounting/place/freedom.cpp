@@ -92,8 +92,8 @@ double fromMiddle(const FreeDirection& free, const Eigen::Vector3d& middle) {
   return (middle - free.through_m - (middle - free.through_m).dot(free.axis) * free.axis).norm();
 }
 
-Message wayInWords(const FreeDirection& free, const Eigen::Vector3d& middle, double radius_m) {
-  const Message axis = axisInWords(free.axis);
+Message wayText(const FreeDirection& free, const Eigen::Vector3d& middle, double radius_m) {
+  const Message axis = axisText(free.axis);
   const double away_m = fromMiddle(free, middle);
   switch (free.kind) {
     case FreeDirection::Kind::Slide:
@@ -108,7 +108,7 @@ Message wayInWords(const FreeDirection& free, const Eigen::Vector3d& middle, dou
 }
 
 Message inWords(const FreeDirection& free, const Eigen::Vector3d& middle, double radius_m) {
-  const Message way = wayInWords(free, middle, radius_m);
+  const Message way = wayText(free, middle, radius_m);
   if (free.held_by_rotation) {
     return message("Nothing but its known rotation keeps it from being free to {}: to {} (1 sigma).", way,
                    Millimetres{free.sigma_m, 1});
@@ -126,8 +126,10 @@ Message inWords(const FreeDirection& free, const Eigen::Vector3d& middle, double
 /// places there were as probable.
 double follow(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& along, double most_chi_squared,
               std::size_t patch, FreeDirection& free) {
-  const Valley there = followValley(problem, from, along, most_chi_squared, patch);
-  const Valley back = there.all_the_way ? Valley{} : followValley(problem, from, -along, most_chi_squared, patch);
+  const UnobservableDirection there = followUnobservableDirection(problem, from, along, most_chi_squared, patch);
+  const UnobservableDirection back = there.all_the_way
+                                         ? UnobservableDirection{}
+                                         : followUnobservableDirection(problem, from, -along, most_chi_squared, patch);
   free.forward_m = there.reach_m;
   free.forward_rad = there.turn_rad;
   free.backward_m = back.reach_m;
@@ -164,7 +166,7 @@ std::vector<PossiblyOpen> possiblyOpen(const Eigen::MatrixXd& P, double free_m, 
 
 }  // namespace
 
-Message axisInWords(const Eigen::Vector3d& axis) {
+Message axisText(const Eigen::Vector3d& axis) {
   constexpr double kAlong_rad = 6 * kDegree;
   constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
   for (Eigen::Index k = 0; k < 3; ++k) {

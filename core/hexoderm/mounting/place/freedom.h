@@ -22,6 +22,6 @@ std::vector<FreeDirection> freeDirections(const FitProblem& problem, const FitSo
                                           double most_chi_squared, FitExtent& extent);
 
 /// "the link's z axis", "the direction (0.71, 0.00, 0.71) of the link".
-Message axisInWords(const Eigen::Vector3d& axis);
+Message axisText(const Eigen::Vector3d& axis);
 
 }  // namespace hexoderm

@@ -23,14 +23,14 @@ namespace hexoderm {
 namespace {
 
 constexpr double kSampleSpacing_m = 0.010;
-constexpr std::size_t kMostPlacedCells = 150;
+constexpr std::size_t kMaxPlacedCells = 150;
 
 // --- what was given
 
 void requireLength(double value_m, double least_m, const Message& what) {
-  if (value_m >= least_m && value_m <= kMostPlaceLength_m) return;
+  if (value_m >= least_m && value_m <= kMaxPlaceLength_m) return;
   throw InvalidArgument(message("{} must be from {} to {} m, found {} m", what, Number{least_m},
-                                Number{kMostPlaceLength_m}, Number{value_m}));
+                                Number{kMaxPlaceLength_m}, Number{value_m}));
 }
 
 /// Which patch and which of its cells a cell is.
@@ -190,7 +190,7 @@ class Placement {
   }
 
   void takePatches() {
-    constexpr double kLeastRadius_m = 0.005;
+    constexpr double kMinRadius_m = 0.005;
     problem_.back_m = task_.thickness_m + options_.gap_m;
     problem_.surface_sigma_m = options_.surface_sigma_m;
     problem_.normal_sigma_rad = options_.normal_sigma_rad;
@@ -200,7 +200,7 @@ class Placement {
           throw InvalidArgument(message("cell {} is there twice", patch.cells[k]));
         }
       }
-      problem_.patches.push_back(fitPatchOf(patch, kLeastRadius_m));
+      problem_.patches.push_back(fitPatchOf(patch, kMinRadius_m));
     }
   }
 
@@ -346,7 +346,7 @@ class Placement {
 
   // --- in words
 
-  [[nodiscard]] Message patchesInWords() const {
+  [[nodiscard]] Message patchesText() const {
     if (task_.patches.size() == 1) return message("The patch of cell {}", task_.patches.front().origin);
     std::vector<CellId> origins;
     for (const PatchToPlace& patch : task_.patches) origins.push_back(patch.origin);
@@ -359,7 +359,7 @@ class Placement {
       result.summary = message(
           "{}: nowhere on link {} does the surface face as it would have to. Is it the right link, "
           "and is the rotation right?",
-          patchesInWords(), task_.link);
+          patchesText(), task_.link);
       return;
     }
     const PlaceCandidate& best = result.candidates.front();
@@ -369,14 +369,14 @@ class Placement {
           "{}: no place on link {} fits. At the best one the misfit is {} rms, chi-squared {} with "
           "{} degrees of freedom. Is it the right link, are all lengths in metres, and do the "
           "cells lie on the surface that the mesh describes?",
-          patchesInWords(), task_.link, Millimetres{best.rms_m, 1}, Number{best.chi_squared, 0}, best.freedom);
+          patchesText(), task_.link, Millimetres{best.rms_m, 1}, Number{best.chi_squared, 0}, best.freedom);
       return;
     }
     if (result.candidates.size() > 1) {
       result.verdict = PlaceVerdict::Several;
       result.summary =
           message("{}: {} places on link {} fit. A point whose place on the link is known would tell them apart.",
-                  patchesInWords(), result.candidates.size(), task_.link);
+                  patchesText(), result.candidates.size(), task_.link);
       return;
     }
     std::vector<Message> sentences;
@@ -390,13 +390,13 @@ class Placement {
     }
     if (!is_free) {
       result.verdict = PlaceVerdict::Placed;
-      result.summary = message("{}: one place on link {} fits, certain to {} (95 %, the worst cell).", patchesInWords(),
+      result.summary = message("{}: one place on link {} fits, certain to {} (95 %, the worst cell).", patchesText(),
                                task_.link, Millimetres{worst_m, 1});
       return;
     }
     result.verdict = PlaceVerdict::Open;
     sentences.push_back(
-        message("{}: one place on link {} fits, but not all of it is determined.", patchesInWords(), task_.link));
+        message("{}: one place on link {} fits, but not all of it is determined.", patchesText(), task_.link));
     for (const PlacedPatch& patch : best.patches) {
       for (const FreeDirection& free : patch.free) {
         if (free.held_by_rotation) continue;
@@ -423,7 +423,7 @@ std::vector<std::size_t> chosenCells(const PatchReconstruction& patch) {
   std::size_t origin = 0;
   while (origin + 1 < patch.cells.size() && patch.cells[origin].cell != patch.origin) ++origin;
   std::vector<double> away(patch.cells.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t next = origin; chosen.size() < std::min(kMostPlacedCells, patch.cells.size());) {
+  for (std::size_t next = origin; chosen.size() < std::min(kMaxPlacedCells, patch.cells.size());) {
     chosen.push_back(next);
     for (std::size_t k = 0; k < away.size(); ++k) {
       away[k] = std::min(away[k], (patch.cells[k].T_o_u.t - patch.cells[next].T_o_u.t).norm());
@@ -467,30 +467,30 @@ Eigen::MatrixXd covarianceOf(const PatchReconstruction& patch, const std::vector
 
 void requirePlaceable(const KnownPoint& point) {
   for (const double coordinate : point.x_l) {
-    requireLength(coordinate, -kMostPlaceLength_m, message("each coordinate of the point of cell {}", point.cell));
+    requireLength(coordinate, -kMaxPlaceLength_m, message("each coordinate of the point of cell {}", point.cell));
   }
-  requireLength(point.sigma_m, kLeastPlaceSigma_m, message("the sigma of the point of cell {}", point.cell));
+  requireLength(point.sigma_m, kMinPlaceSigma_m, message("the sigma of the point of cell {}", point.cell));
 }
 
 void requirePlaceable(const KnownDistance& distance) {
-  requireLength(distance.distance_m, kLeastPlaceSigma_m,
+  requireLength(distance.distance_m, kMinPlaceSigma_m,
                 message("the distance between cells {} and {}", distance.a, distance.b));
-  requireLength(distance.sigma_m, kLeastPlaceSigma_m,
+  requireLength(distance.sigma_m, kMinPlaceSigma_m,
                 message("the sigma of the distance between cells {} and {}", distance.a, distance.b));
 }
 
 PlaceOptions::PlaceOptions() : normal_sigma_rad(3 * kDegree) {}
 
 void PlaceOptions::validate() const {
-  constexpr double kLeastNormalSigma_rad = 1e-3 * kDegree;
-  constexpr double kMostNormalSigma_rad = 2 * kPi;
-  requireLength(surface_sigma_m, kLeastPlaceSigma_m, message("the sigma of the surface"));
-  if (!(normal_sigma_rad >= kLeastNormalSigma_rad && normal_sigma_rad <= kMostNormalSigma_rad)) {
+  constexpr double kMinNormalSigma_rad = 1e-3 * kDegree;
+  constexpr double kMaxNormalSigma_rad = 2 * kPi;
+  requireLength(surface_sigma_m, kMinPlaceSigma_m, message("the sigma of the surface"));
+  if (!(normal_sigma_rad >= kMinNormalSigma_rad && normal_sigma_rad <= kMaxNormalSigma_rad)) {
     throw InvalidArgument(message("the sigma of the normals must be from {} to {}, found {}°",
-                                  Degrees{kLeastNormalSigma_rad, 3}, Degrees{kMostNormalSigma_rad, 0},
+                                  Degrees{kMinNormalSigma_rad, 3}, Degrees{kMaxNormalSigma_rad, 0},
                                   Number{toDegrees(normal_sigma_rad)}));
   }
-  requireLength(free_m, kLeastPlaceSigma_m, message("the length beyond which a direction is free"));
+  requireLength(free_m, kMinPlaceSigma_m, message("the length beyond which a direction is free"));
   requireLength(gap_m, 0, message("the gap"));
   if (!(false_alarm > 0 && false_alarm < 1)) {
     throw InvalidArgument(message("the probability of a false alarm must be between 0 and 1"));

@@ -49,8 +49,8 @@ struct PlaceTask {
   std::vector<KnownDistance> distances;
 };
 
-inline constexpr double kMostPlaceLength_m = 100;   ///< no length of a task or its options may be larger
-inline constexpr double kLeastPlaceSigma_m = 1e-6;  ///< nor a sigma smaller
+inline constexpr double kMaxPlaceLength_m = 100;  ///< no length of a task or its options may be larger
+inline constexpr double kMinPlaceSigma_m = 1e-6;  ///< nor a sigma smaller
 /// Throws InvalidArgument naming what is out of these limits, its value and the range.
 void requirePlaceable(const KnownPoint& point);
 void requirePlaceable(const KnownDistance& distance);  ///< likewise

@@ -403,8 +403,8 @@ FitEquations equationsAt(const FitProblem& problem, const FitState& state) {
 
 FitSolution refine(const FitProblem& problem, const FitState& start, int steps, const Eigen::VectorXd& along) {
   constexpr double kConverged_m = 1e-7;
-  constexpr double kLeastGain = 1e-7;
-  constexpr double kMostDamping = 1e8;
+  constexpr double kMinGain = 1e-7;
+  constexpr double kMaxDamping = 1e8;
   FitState state = start;
   double damping = 1e-4;
   double chi_squared = 0;
@@ -424,7 +424,7 @@ FitSolution refine(const FitProblem& problem, const FitState& start, int steps, 
     bool better = false;
     double moved_m = 0;
     double gain = 0;
-    for (; !better && damping < kMostDamping; damping *= better ? 1 : 10) {
+    for (; !better && damping < kMaxDamping; damping *= better ? 1 : 10) {
       Eigen::MatrixXd damped = A;
       damped.diagonal().array() += damping * scale;
       Eigen::VectorXd step_m = -damped.ldlt().solve(g);
@@ -440,7 +440,7 @@ FitSolution refine(const FitProblem& problem, const FitState& start, int steps, 
         state = next;
       }
     }
-    if (!better || moved_m < kConverged_m || gain < kLeastGain * chi_squared) {
+    if (!better || moved_m < kConverged_m || gain < kMinGain * chi_squared) {
       if (better) {
         const FitEquations last = equationsAt(problem, state);
         chi_squared = last.r.dot(last.S.llt().solve(last.r));

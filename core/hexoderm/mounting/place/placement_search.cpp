@@ -18,14 +18,14 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kCoarseCells = 20;        ///< with so many of a patch places are looked for
-constexpr std::size_t kMostSamples = 4000;      ///< of a surface
-constexpr std::size_t kMostTries = 25000;       ///< laid on the surface, to see how they fit
-constexpr std::size_t kMostStarts = 250;        ///< that are refined
-constexpr std::size_t kMostMinima = 80;         ///< that are refined to the end
-constexpr std::size_t kMostOfPatch = 8;         ///< minima of a patch that are combined with those of others
-constexpr std::size_t kMostTogether = 64;       ///< combinations
+constexpr std::size_t kMaxSamples = 4000;       ///< of a surface
+constexpr std::size_t kMaxTries = 25000;        ///< laid on the surface, to see how they fit
+constexpr std::size_t kMaxStarts = 250;         ///< that are refined
+constexpr std::size_t kMaxMinima = 80;          ///< that are refined to the end
+constexpr std::size_t kMaxOfPatch = 8;          ///< minima of a patch that are combined with those of others
+constexpr std::size_t kMaxTogether = 64;        ///< combinations
 constexpr double kSureTurn_rad = 10 * kDegree;  ///< a rotation that is known better is a start by itself
-constexpr double kMostTilt_rad = 35 * kDegree;  ///< of a start's middle cell against the surface
+constexpr double kMaxTilt_rad = 35 * kDegree;   ///< of a start's middle cell against the surface
 constexpr double kYawStep_rad = 15 * kDegree;
 constexpr double kStride_m = 0.010;  ///< of a way between two minima
 constexpr double kNear_m = 0.012;
@@ -70,18 +70,18 @@ bool isSure(const std::optional<KnownRotation>& rotation) {
 /// Whether a start is turned as is known, as far as starts are from their minima.
 bool isPossible(const Eigen::Matrix3d& R_l_o, const std::optional<KnownRotation>& rotation) {
   if (!rotation) return true;
-  constexpr double kMostDeviations = 3.5;
+  constexpr double kMaxDeviations = 3.5;
   const Eigen::Vector3d error = logSO3(rotation->R_l_o.transpose() * R_l_o);
   const Eigen::Matrix3d covariance =
       rotation->covariance + kYawStep_rad * kYawStep_rad / 2 * Eigen::Matrix3d::Identity();
-  return error.dot(covariance.ldlt().solve(error)) < kMostDeviations * kMostDeviations;
+  return error.dot(covariance.ldlt().solve(error)) < kMaxDeviations * kMaxDeviations;
 }
 
 /// Turns with which a cell, whose z is `z_o` in the patch, can lie on a surface with this normal.
 std::vector<Eigen::Matrix3d> turnsOnto(const Eigen::Vector3d& normal, const Eigen::Vector3d& z_o,
                                        const std::optional<KnownRotation>& rotation) {
   if (isSure(rotation)) {
-    if (angleBetween(rotation->R_l_o * z_o, normal) > kMostTilt_rad) return {};
+    if (angleBetween(rotation->R_l_o * z_o, normal) > kMaxTilt_rad) return {};
     return {rotation->R_l_o};
   }
   const Eigen::Matrix3d known = rotation ? rotation->R_l_o : Eigen::Matrix3d::Identity();
@@ -144,7 +144,7 @@ std::vector<FitState> startsOnSurface(const FitProblem& problem, const std::vect
   const Eigen::Vector3d back_o = middle * Eigen::Vector3d(0, 0, -problem.back_m);
   // Where any turn is possible there are so many starts that fewer points have to do.
   const std::size_t per_sample = isSure(patch.rotation) ? 1 : static_cast<std::size_t>(2 * kPi / kYawStep_rad);
-  const std::size_t stride = 1 + samples.size() * per_sample / kMostTries;
+  const std::size_t stride = 1 + samples.size() * per_sample / kMaxTries;
   std::vector<FitState> starts;
   for (std::size_t k = 0; k < samples.size(); k += stride) {
     const SurfaceSample& sample = samples[k];
@@ -182,7 +182,7 @@ std::vector<FitSolution> minimaFrom(const FitProblem& problem, const std::vector
   std::vector<FitSolution> minima;
   std::size_t refined = 0;
   for (const FitSolution& solution : begun) {
-    if (refined == kMostMinima || solution.chi_squared > 4 * begun.front().chi_squared + kHopeless) break;
+    if (refined == kMaxMinima || solution.chi_squared > 4 * begun.front().chi_squared + kHopeless) break;
     const auto is_same = [&](const FitSolution& other) {
       return distanceBetween(problem, other.state, solution.state) < kSame_m;
     };
@@ -206,7 +206,7 @@ std::vector<FitState> spreadMinima(const FitProblem& problem, const std::vector<
   }
   std::vector<FitState> chosen = {hopeful.front()};
   std::vector<double> away(hopeful.size(), std::numeric_limits<double>::infinity());
-  while (chosen.size() < std::min(kMostOfPatch, hopeful.size())) {
+  while (chosen.size() < std::min(kMaxOfPatch, hopeful.size())) {
     for (std::size_t k = 0; k < hopeful.size(); ++k) {
       away[k] = std::min(away[k], distanceBetween(problem, hopeful[k], chosen.back()));
     }
@@ -225,7 +225,7 @@ std::vector<FitSolution> minimaOfPatch(const FitProblem& problem, std::size_t pa
                                        const std::vector<SurfaceSample>& samples) {
   const FitProblem alone = onlyPatches(problem, {patch});
   std::vector<FitState> starts = alone.points.empty() ? startsOnSurface(alone, samples) : startsAtPoints(alone);
-  return minimaFrom(alone, mostHopeful(alone, std::move(starts), kMostStarts));
+  return minimaFrom(alone, mostHopeful(alone, std::move(starts), kMaxStarts));
 }
 
 /// Starts of the last patch of a problem, of which nothing is known but distances, beside those that have a place.
@@ -288,7 +288,7 @@ std::vector<FitSolution> minimaTogether(const FitProblem& problem, const std::ve
         for (FitState& start : startsByDistances(part, before)) starts.push_back(std::move(start));
       }
     }
-    minima = minimaFrom(part, mostHopeful(part, std::move(starts), kMostTogether));
+    minima = minimaFrom(part, mostHopeful(part, std::move(starts), kMaxTogether));
     if (minima.empty()) return {};
     found.clear();
     for (const FitState& state : spreadMinima(part, minima, limitOf(part, false_alarm).above(minima[0].chi_squared))) {
@@ -308,12 +308,12 @@ std::vector<FitSolution> minimaTogether(const FitProblem& problem, const std::ve
 /// Whether all places on a way from one state to another fit. The way is a screw at first, and then where the misfit is
 /// least across it.
 bool fitsAllTheWay(const FitProblem& problem, const FitState& from, const FitState& to, double most_chi_squared) {
-  constexpr int kMostStrides = 200;
+  constexpr int kMaxStrides = 200;
   constexpr int kRefinements = 4;
   FitState at = from;
   double left_m = distanceBetween(problem, at, to);
-  if (left_m > kMostStrides * kStride_m) return false;
-  for (int k = 0; k < kMostStrides; ++k) {
+  if (left_m > kMaxStrides * kStride_m) return false;
+  for (int k = 0; k < kMaxStrides; ++k) {
     const bool is_last = left_m < kNear_m;
     const double share = is_last ? 0.5 : kStride_m / left_m;
     const Eigen::VectorXd way = stepBetween(problem, at, wayFrom(at, to, share));
@@ -380,7 +380,7 @@ double spacingOn(const TriangleMesh& mesh, double spacing_m) {
   for (const auto& [a, b, c] : mesh.triangles) {
     area_m2 += (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]).norm() / 2;
   }
-  return std::max(spacing_m, std::sqrt(area_m2 / static_cast<double>(kMostSamples)));
+  return std::max(spacing_m, std::sqrt(area_m2 / static_cast<double>(kMaxSamples)));
 }
 
 std::vector<SurfaceSample> samplesOf(const TriangleMesh& mesh, const MeshFeet& feet, double spacing_m) {
@@ -456,9 +456,10 @@ bool isWayBetween(const FitProblem& problem, const FitState& from, const FitStat
   return fitsAllTheWay(coarse, from, to, limitOf(coarse, false_alarm).above(refine(coarse, from, 0).chi_squared));
 }
 
-Valley followValley(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& direction,
-                    double most_chi_squared, std::size_t patch) {
-  constexpr int kMostSteps = 400;
+UnobservableDirection followUnobservableDirection(const FitProblem& problem, const FitState& from,
+                                                  const Eigen::VectorXd& direction, double most_chi_squared,
+                                                  std::size_t patch) {
+  constexpr int kMaxSteps = 400;
   constexpr int kRefinements = 3;
   constexpr double kTwoDeviations = 4;
   constexpr double kShortest_m = kValleyStep_m / 8;
@@ -466,14 +467,14 @@ Valley followValley(const FitProblem& problem, const FitState& from, const Eigen
   const FitProblem coarse = coarseProblem(problem);
   const double begun = refine(coarse, from, 0).chi_squared;
   const double most = most_chi_squared + begun - refine(problem, from, 0).chi_squared;
-  Valley valley;
+  UnobservableDirection valley;
   FitState before = from;
   FitState at = from;
   double stride_m = kValleyStep_m;
   double last_m = 0;
   double gone_m = 0;
   bool is_near = true;
-  for (int k = 0; k < kMostSteps && gone_m < farthest_m && stride_m >= kShortest_m; ++k) {
+  for (int k = 0; k < kMaxSteps && gone_m < farthest_m && stride_m >= kShortest_m; ++k) {
     // On as the last step went, as seen from the link.
     const FitState ahead =
         last_m > 0 ? wayFrom(before, at, 1 + stride_m / last_m) : moved(coarse, at, stride_m * direction);

@@ -38,7 +38,7 @@ std::vector<FitSolution> findPlaces(const FitProblem& problem, const std::vector
 bool isWayBetween(const FitProblem& problem, const FitState& from, const FitState& to, double false_alarm);
 
 /// How far one can go from a solution.
-struct Valley {
+struct UnobservableDirection {
   double reach_m = 0;       ///< of the cells, rms, from where they were
   double near_reach_m = 0;  ///< as far as chi-squared grows by 4: where errors are normal, two deviations
   double turn_rad = 0;
@@ -47,7 +47,8 @@ struct Valley {
 };
 /// Along `direction` (unit, in the unknowns) until it no longer fits; `most_chi_squared` is the limit. The turn is that
 /// of one patch.
-Valley followValley(const FitProblem& problem, const FitState& from, const Eigen::VectorXd& direction,
-                    double most_chi_squared, std::size_t patch);
+UnobservableDirection followUnobservableDirection(const FitProblem& problem, const FitState& from,
+                                                  const Eigen::VectorXd& direction, double most_chi_squared,
+                                                  std::size_t patch);
 
 }  // namespace hexoderm

@@ -25,7 +25,7 @@ constexpr double kBlind_rad = 10 * kDegree;
 constexpr double kTellsNothing_rad = 20 * kDegree;
 
 /// What the readings alone say against a sensor.
-Message brokenInWords(FindingCode code) {
+Message brokenText(FindingCode code) {
   switch (code) {
     case FindingCode::IdenticalReadings:
       return message("broken: it reads the same as another cell, digit for digit");
@@ -69,7 +69,7 @@ class CalibratedCells {
     }
     const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, portsOf(patch, cell.cell)));
     const std::vector<PlacingReading> readings = readingsOf(patch, cell, own_g2);
-    const CellEstimate estimate = joint_ ? CellEstimate::JointNoCrossAxis : CellEstimate::Tree;
+    const CellEstimate estimate = joint_ ? CellEstimate::GlobalNoCrossAxis : CellEstimate::Tree;
     return errorsOfCell(priors, readings, gainOf(cell), estimate);
   }
 
@@ -161,7 +161,7 @@ class CalibrationChecker {
     for (const Finding& finding : findings) {
       if (finding.code == FindingCode::PartMoved) check_.remarks.push_back(finding.message);
       if (finding.code == FindingCode::WrongNorm) allowAgain(finding);
-      const Message words = brokenInWords(finding.code);
+      const Message words = brokenText(finding.code);
       if (words.empty()) continue;
       for (const CellId cell : finding.cells) broken_.try_emplace(cell, words);
     }
@@ -235,7 +235,7 @@ class CalibrationChecker {
   }
 
   [[nodiscard]] CellView look(const PatchReconstruction& patch, const CellPlacement& cell) const {
-    constexpr double kLeast_g2 = 1e-12;  // a model may have neither noise nor steps
+    constexpr double kMin_g2 = 1e-12;  // a model may have neither noise nor steps
     const std::size_t index = *graph_.indexOf(cell.cell);
     const Eigen::Matrix3d R_a_u = today_.model->accelerometer.T_u_a.R.transpose();
     const Eigen::Matrix3d R_o_a = cell.T_o_u.R * R_a_u.transpose();
@@ -259,7 +259,7 @@ class CalibrationChecker {
       const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - CalibratedCells::offsetOf(cell));
       view.force_o_g.segment<3>(row) = R_o_a * v;
       jacobian.middleRows<3>(row) = view.drift_o * readingJacobian(gain, v.normalized());
-      noise_g2.segment<3>(row).setConstant(std::max(entry.own_variance_g2, kLeast_g2));
+      noise_g2.segment<3>(row).setConstant(std::max(entry.own_variance_g2, kMin_g2));
     }
     view.covariance_g2 = jacobian * cells_.errorsOf(patch, cell, noise_g2.mean()) * jacobian.transpose();
     view.covariance_g2.diagonal() += noise_g2;
@@ -301,10 +301,10 @@ class CalibrationChecker {
     checked.change = !checked.drift  ? CellChange::Turned
                      : !checked.turn ? CellChange::Drifted
                                      : CellChange::TurnedOrDrifted;
-    checked.words = explanationInWords(checked);
+    checked.words = explanationText(checked);
   }
 
-  [[nodiscard]] static Message explanationInWords(const CheckedCell& checked) {
+  [[nodiscard]] static Message explanationText(const CheckedCell& checked) {
     Message turned;
     Message drifted;
     if (checked.turn) {
@@ -325,8 +325,7 @@ class CalibrationChecker {
   void sayWhatIsMissing() {
     for (const auto& [source, target] : missing_.links) {
       check_.changed = true;
-      check_.remarks.push_back(
-          message("The {} of the calibration is no longer reported.", linkInWords(source, target)));
+      check_.remarks.push_back(message("The {} of the calibration is no longer reported.", linkText(source, target)));
     }
   }
 
@@ -340,7 +339,7 @@ class CalibrationChecker {
     const std::size_t not_told = check_.count(CellChange::NotTold);
     std::vector<Message> words;
     if (!changed.empty()) {
-      words.push_back(message("Not as calibrated: {}.", cellsInWords(changed)));
+      words.push_back(message("Not as calibrated: {}.", cellsText(changed)));
     } else if (contradictory_) {
       words.push_back(
           message("The skin is not as calibrated, and the cells contradict each other so much that none can "

@@ -56,7 +56,7 @@ CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading
     // The error is -A^-1 L x + A^-1 J^T W n, of true unknowns x with covariance L^-1 and readings' noise n.
     CellErrors of_noise = (priors + normal).inverse();
     CellErrors of_truth = of_noise * priors;
-    if (estimate == CellEstimate::JointNoCrossAxis) {
+    if (estimate == CellEstimate::GlobalNoCrossAxis) {
       for (const int k : kCrossAxis) {
         of_noise.row(k).setZero();
         of_truth.row(k) = CellErrors::Identity().row(k);

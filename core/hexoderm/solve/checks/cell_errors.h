@@ -38,9 +38,10 @@ struct PlacingReading {
 
 /// What became of the estimate of a cell's unknowns.
 enum class CellEstimate {
-  Joint,             ///< attitude and sensor, by the joint solver
-  JointNoCrossAxis,  ///< the same, but the cross-axis sensitivities were dropped, as a calibration file does: 0 is left
-  Tree,              ///< attitude only, by raw readings
+  Joint,              ///< attitude and sensor, by the joint solver
+  GlobalNoCrossAxis,  ///< the same, but the cross-axis sensitivities were dropped, as a calibration file does: 0 is
+                      ///< left
+  Tree,               ///< attitude only, by raw readings
 };
 
 /// Covariance of the errors of an estimate of a cell's unknowns by `readings`. The joint solver weighs readings as if
@@ -54,7 +55,7 @@ CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading
 
 /// 1 sigma per axis, g/m, of the swing that is left when the other poses foretell one: the mean over 0.1 s of a
 /// tremor of 0.05 degrees at 4 to 12 Hz is 0.6 rad/s^2, and what it did to the others comes on top.
-inline constexpr double kSwingSigma = 1 / kStandardGravity;
+inline constexpr double kAngularAccelerationSigma = 1 / kStandardGravity;
 
 /// The motion that all cells share in a pose: the specific force at the patch's origin, then the swing (g/m).
 using PartMotion = Eigen::Matrix<double, 6, 1>;

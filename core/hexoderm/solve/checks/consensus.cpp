@@ -21,7 +21,9 @@ Consensus::Consensus(std::span<const CellView> views, std::size_t poses, double 
   weighted_ = Eigen::VectorXd::Zero(unknowns);
   for (std::size_t pose = 0; pose < poses; ++pose) {
     information_.diagonal().segment<3>(index6(pose)).setConstant(1 / (kAnyForce_g * kAnyForce_g));
-    information_.diagonal().segment<3>(index6(pose) + 3).setConstant(1 / (kSwingSigma * kSwingSigma));
+    information_.diagonal()
+        .segment<3>(index6(pose) + 3)
+        .setConstant(1 / (kAngularAccelerationSigma * kAngularAccelerationSigma));
   }
   for (const CellView& view : views) count(view, 1);
   solve();

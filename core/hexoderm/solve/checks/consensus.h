@@ -35,10 +35,10 @@ struct ViewComparison {
 /// The cells of a patch that agree about how the part was held and moved, and so are as calibrated.
 ///
 /// Model: all cells see one motion of a rigid part, s_kp = f_p + w_p x t_k + error, with the force f_p free in each
-/// pose and the swing w_p known to be small (kSwingSigma); the errors of a cell in all poses have one covariance, and
-/// cells err independently. The motions are those that fit best by generalised least squares. A cell is compared with
-/// what the others of the consensus foretell. From all cells, those that fit worst beyond `limit` (a standard normal
-/// deviate) are taken out, until none is; those that agree with the rest after all come back.
+/// pose and the swing w_p known to be small (kAngularAccelerationSigma); the errors of a cell in all poses have one
+/// covariance, and cells err independently. The motions are those that fit best by generalised least squares. A cell is
+/// compared with what the others of the consensus foretell. From all cells, those that fit worst beyond `limit` (a
+/// standard normal deviate) are taken out, until none is; those that agree with the rest after all come back.
 ///
 /// Noise may be larger than its samples say, where they follow each other closely (a robot's motors shake slowly): then
 /// the consensus misses by more than it should as a whole, and all covariances grow by as much. They never shrink.

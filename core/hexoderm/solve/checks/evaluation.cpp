@@ -151,7 +151,7 @@ std::vector<Comparison> compareAll(const Reconstruction& reconstruction, const R
   return comparisons;
 }
 
-Message endInWords(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
+Message endText(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
 
 }  // namespace
 
@@ -167,9 +167,9 @@ SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind 
   if ((kind == SurfaceKind::Plane || kind == SurfaceKind::Cone) && true_radius_m) {
     throw InvalidArgument(message("a {} has no one radius to compare with", surfaceKindName(kind)));
   }
-  if (true_radius_m && !(*true_radius_m > 0 && *true_radius_m <= kMostLength_m)) {
+  if (true_radius_m && !(*true_radius_m > 0 && *true_radius_m <= kMaxLength_m)) {
     throw InvalidArgument(message("true radius: expected metres above 0 and at most {}, found {}",
-                                  Number{kMostLength_m, 0}, Number{*true_radius_m}));
+                                  Number{kMaxLength_m, 0}, Number{*true_radius_m}));
   }
   SurfaceEvaluation evaluation;
   evaluation.kind = kind;
@@ -231,7 +231,7 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
     }
     for (const LinkEstimate& link : found.patch->links) {
       if (link.used && (link.source == end || link.target == end)) {
-        throw InvalidArgument(message("loop: {} is joined to a neighbour, expected a free port", endInWords(end)));
+        throw InvalidArgument(message("loop: {} is joined to a neighbour, expected a free port", endText(end)));
       }
     }
     return found;

@@ -53,7 +53,7 @@ struct SurfaceEvaluation {
 };
 
 /// Throws InvalidArgument if the patch has too few cells for the fit, or `true_radius_m` is given for a plane or a
-/// cone, which have no one radius, or is not above 0 and within kMostLength_m.
+/// cone, which have no one radius, or is not above 0 and within kMaxLength_m.
 SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind kind,
                                   std::optional<double> true_radius_m = std::nullopt);
 

@@ -46,16 +46,15 @@ MissingParts findMissingParts(const Reconstruction& calibration, const CellModel
     if (!cells.contains(cell.id)) added.push_back(cell.id);
   }
   if (!added.empty()) {
-    throw InvalidArgument(
-        message("the calibration is of another skin: {} of today is not in it",
-                added.size() == 1 ? cellsInWords(added) : message("one of the {}", cellsInWords(added))));
+    throw InvalidArgument(message("the calibration is of another skin: {} of today is not in it",
+                                  added.size() == 1 ? cellsText(added) : message("one of the {}", cellsText(added))));
   }
   for (const GraphLink& link : today.links()) {
     const LinkEnds ends = std::minmax(today.sourceEnd(link), today.targetEnd(link));
     if (link.muted() || links.contains(ends)) continue;
     throw InvalidArgument(
         message("the calibration is of another skin, or the cells were joined otherwise: {} is not in it",
-                linkInWords(ends.first, ends.second)));
+                linkText(ends.first, ends.second)));
   }
 
   MissingParts missing;

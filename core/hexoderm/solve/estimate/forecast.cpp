@@ -21,7 +21,7 @@ std::vector<Matrix6d> covariancesOf(const PatchSolver& patch) {
   return covariances;
 }
 
-std::vector<Eigen::Vector3d> forceDirections(const JointRefinement& joint) {
+std::vector<Eigen::Vector3d> forceDirections(const GlobalRefinement& joint) {
   std::vector<Eigen::Vector3d> seen;
   for (const Eigen::Vector3d& force_o : joint.solution().state.force_o) seen.emplace_back(force_o.normalized());
   return seen;
@@ -46,7 +46,7 @@ void findLackingReadings(const SkinLinks& skin, const PatchSolver& patch, Foreca
 std::optional<Forecast> forecastOf(const SkinLinks& skin, std::span<const PatchSolver> patches) {
   const auto largest = std::ranges::max_element(patches, {}, [](const PatchSolver& p) { return p.cells().size(); });
   if (largest == patches.end() || largest->cells().size() < 2) return std::nullopt;
-  const JointRefinement* joint = largest->joint();
+  const GlobalRefinement* joint = largest->joint();
   if (joint == nullptr || joint->poses().empty()) return std::nullopt;
   Forecast forecast;
   forecast.now = worstOf(skin, *largest, covariancesOf(*largest));

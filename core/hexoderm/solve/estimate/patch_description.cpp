@@ -30,7 +30,7 @@ CellPlacement placeCell(const SkinLinks& skin, const PatchSolver& patch, std::si
 
 CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std::size_t cell) {
   CellPlacement placement = placeCell(skin, patch, cell);
-  if (const JointRefinement* joint = patch.joint()) {
+  if (const GlobalRefinement* joint = patch.joint()) {
     placement.cov_t_r = joint->covarianceOf(cell);
     if (skin.readings().measured(cell)) {
       placement.accel_offset_g = joint->sensorOf(cell).offset_g;
@@ -43,8 +43,8 @@ CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std:
 }
 
 /// Gravity in each pose as the joint estimate has it.
-std::vector<GravityDirection> jointGravity(const SkinLinks& skin, const JointRefinement& joint) {
-  const JointSolution& solution = joint.solution();
+std::vector<GravityDirection> jointGravity(const SkinLinks& skin, const GlobalRefinement& joint) {
+  const GlobalSolution& solution = joint.solution();
   std::vector<GravityDirection> directions;
   for (std::size_t k = 0; k < joint.poses().size(); ++k) {
     const Eigen::Vector3d& force = solution.state.force_o[k];
@@ -82,7 +82,7 @@ std::vector<GravityDirection> meanGravity(const SkinLinks& skin, const PatchSolv
 
 /// A link's rotation and predicted deviation follow from the placements; its residuals are of readings freed from the
 /// estimated errors of their sensors.
-void estimateJointly(const SkinLinks& skin, const JointRefinement& joint, std::size_t index, LinkEstimate& estimate) {
+void estimateJointly(const SkinLinks& skin, const GlobalRefinement& joint, std::size_t index, LinkEstimate& estimate) {
   const GraphLink& link = skin.graph().links()[index];
   estimate.R_c_n = joint.placementOf(link.source).R.transpose() * joint.placementOf(link.target).R;
   estimate.sigma_rad = rotationSigma(joint.linkCovariance(index));
@@ -170,8 +170,8 @@ PatchReconstruction placePatch(const SkinLinks& skin, const PatchSolver& patch) 
 PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patch) {
   PatchReconstruction result = beginPatch(skin, patch);
   for (const std::size_t cell : patch.cells()) result.cells.push_back(describeCell(skin, patch, cell));
-  if (const JointRefinement* joint = patch.joint()) {
-    const JointSolution& solution = joint->solution();
+  if (const GlobalRefinement* joint = patch.joint()) {
+    const GlobalSolution& solution = joint->solution();
     const std::vector<Matrix6d>& shape = joint->shapeCovariances();
     for (std::size_t k = 0; k < shape.size(); ++k) result.cells[k].shape_cov_t_r = shape[k];
     result.gravity = jointGravity(skin, *joint);

@@ -53,11 +53,11 @@ const SE3& PatchSolver::placementOf(std::size_t cell) const {
   return joint_ != nullptr ? joint_->placementOf(cell) : placements_[skin_.graph().cells()[cell].place].T_o_u;
 }
 
-std::unique_ptr<JointRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) {
+std::unique_ptr<GlobalRefinement> PatchSolver::jointFrom(const PatchReconstruction* earlier) {
   std::vector<SE3> start = startingPlacements(earlier);
   placements_ = std::vector<TreePlacement>();
-  return std::make_unique<JointRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
-                                           origin(), std::move(start));
+  return std::make_unique<GlobalRefinement>(skin_.model(), skin_.graph(), skin_.table(), skin_.options(), cells_,
+                                            origin(), std::move(start));
 }
 
 Completion PatchSolver::solve(const PatchReconstruction* earlier, const std::stop_token& stop) {
@@ -98,7 +98,7 @@ std::vector<SE3> PatchSolver::startingPlacements(const PatchReconstruction* earl
 }
 
 void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings) {
-  const JointRefinement& joint = *patch.joint();
+  const GlobalRefinement& joint = *patch.joint();
   // Tremor leaves a few standard deviations everywhere; one pose far beyond the others is the odd one out.
   constexpr double kLargest = 8;
   constexpr double kTimesOthers = 3;
@@ -119,8 +119,8 @@ void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std:
   }
 }
 
-void nameUnconverged(CellId origin, const JointSolution& solution, std::vector<Finding>& findings) {
-  if (solution.termination != JointTermination::StepLimit) return;
+void nameUnconverged(CellId origin, const GlobalSolution& solution, std::vector<Finding>& findings) {
+  if (solution.termination != GlobalTermination::StepLimit) return;
   findings.push_back(makeFinding(
       FindingCode::NotConverged,
       message("The joint estimate of the patch of cell {} has not converged after {} steps: a more probable shape is "

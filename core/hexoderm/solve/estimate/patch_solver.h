@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/skin/shortest_paths.h"
-#include "hexoderm/solve/global/joint_refinement.h"
+#include "hexoderm/solve/global/global_refinement.h"
 #include "hexoderm/solve/result/completion.h"
 #include "hexoderm/solve/tree/skin_links.h"
 #include "hexoderm/solve/tree/tree_placement.h"
@@ -43,12 +43,12 @@ class PatchSolver {
   [[nodiscard]] const std::vector<TreePlacement>& treePlacements() const { return placements_; }
   /// Of a cell of the graph, in the origin's frame: as the joint estimate has it, or else the tree.
   [[nodiscard]] const SE3& placementOf(std::size_t cell) const;
-  [[nodiscard]] const JointRefinement* joint() const { return joint_.get(); }  ///< null before solve()
+  [[nodiscard]] const GlobalRefinement* joint() const { return joint_.get(); }  ///< null before solve()
 
  private:
   [[nodiscard]] std::vector<SE3> startingPlacements(const PatchReconstruction* earlier) const;
   void placeAlongPaths();
-  [[nodiscard]] std::unique_ptr<JointRefinement> jointFrom(const PatchReconstruction* earlier);
+  [[nodiscard]] std::unique_ptr<GlobalRefinement> jointFrom(const PatchReconstruction* earlier);
 
   const SkinLinks& skin_;
   std::span<const double> weights_;
@@ -56,7 +56,7 @@ class PatchSolver {
   std::vector<std::size_t> cells_;
   ShortestPaths paths_;
   std::vector<TreePlacement> placements_;
-  std::unique_ptr<JointRefinement> joint_;
+  std::unique_ptr<GlobalRefinement> joint_;
   bool solved_ = false;
   bool lacks_origin_ = false;
 };
@@ -66,6 +66,6 @@ class PatchSolver {
 void nameInconsistentPoses(const SkinLinks& skin, const PatchSolver& patch, std::vector<Finding>& findings);
 
 /// Says it where the joint estimate of the patch with this origin ended before its optimum.
-void nameUnconverged(CellId origin, const JointSolution& solution, std::vector<Finding>& findings);
+void nameUnconverged(CellId origin, const GlobalSolution& solution, std::vector<Finding>& findings);
 
 }  // namespace hexoderm

@@ -11,7 +11,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kLeastTimes = 1.5;
+constexpr double kMinTimes = 1.5;
 /// Fewer are no population.
 constexpr std::size_t kFewestCells = 4;
 constexpr std::size_t kCellsPerOneLeftOut = 4;
@@ -49,7 +49,7 @@ class ErrorsOfKind {
     const double sum = std::accumulate(of_cells_.begin(), worst, 0.0) / kShareLeft;
     const Misfit misfit{sum * expected_ / squares_, expected_ * expected_ / squares_};
     const double variance = model_variance + (sum - expected_) / squares_;
-    const bool contradicts = misfit.deviate() > max_deviate && variance > kLeastTimes * kLeastTimes * model_variance;
+    const bool contradicts = misfit.deviate() > max_deviate && variance > kMinTimes * kMinTimes * model_variance;
     return contradicts ? std::optional(Contradiction{misfit.deviate(), std::sqrt(variance)}) : std::nullopt;
   }
 
@@ -72,7 +72,7 @@ bool mayBeLikeOthers(std::span<const Finding> findings, CellId cell) {
 }
 
 /// Of a cell whose readings are not used: turned so that they fit the patch's forces best. None of fewer than two.
-std::optional<SensorEvidence> evidenceOfUnused(const SkinLinks& skin, const JointRefinement& joint, std::size_t cell) {
+std::optional<SensorEvidence> evidenceOfUnused(const SkinLinks& skin, const GlobalRefinement& joint, std::size_t cell) {
   const Eigen::Matrix3d& R_u_a = skin.model().accelerometer.T_u_a.R;
   std::vector<CellReading> readings;
   std::vector<Eigen::Vector3d> forces_o;
@@ -90,7 +90,7 @@ std::optional<SensorEvidence> evidenceOfUnused(const SkinLinks& skin, const Join
   return ownEvidence(readings, v_g);
 }
 
-std::optional<SensorEvidence> evidenceOf(const SkinLinks& skin, const JointRefinement& joint, std::size_t cell,
+std::optional<SensorEvidence> evidenceOf(const SkinLinks& skin, const GlobalRefinement& joint, std::size_t cell,
                                          std::span<const Finding> findings) {
   const std::span<const CellReading> readings = joint.readingsOf(cell);
   if (readings.size() >= 2) return ownEvidence(readings, joint.forcesAt(cell));

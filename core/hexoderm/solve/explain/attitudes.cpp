@@ -25,8 +25,8 @@ std::vector<SE3> placementsOf(const PatchSolver& patch) {
 /// The forces on a patch: of the joint estimate, or what its cells read on the average.
 std::vector<PatchForce> forcesOn(const SkinLinks& skin, const PatchSolver& patch, std::span<const SE3> placements) {
   std::vector<PatchForce> forces;
-  if (const JointRefinement* joint = patch.joint()) {
-    const JointState& state = joint->solution().state;
+  if (const GlobalRefinement* joint = patch.joint()) {
+    const GlobalState& state = joint->solution().state;
     for (std::size_t k = 0; k < joint->poses().size(); ++k) {
       const Eigen::Vector3d swing = state.acceleration_o[k] / kStandardGravity;
       forces.push_back({joint->poses()[k], state.force_o[k] - swing.cross(state.middle_o), swing});

@@ -14,7 +14,7 @@ struct BadSensor {
 };
 
 /// The turn against the others between two poses that explains what a cell reads, if one does.
-std::optional<TurnBetweenPoses> explainingTurn(const JointRefinement& joint, std::size_t cell, double max_misfit) {
+std::optional<TurnBetweenPoses> explainingTurn(const GlobalRefinement& joint, std::size_t cell, double max_misfit) {
   const TurnBetweenPoses turn = joint.turnOf(cell);
   const Misfit misfit = joint.misfitOf(cell);
   const Misfit left{misfit.chi_squared - turn.gain.chi_squared, misfit.degrees - turn.gain.degrees};
@@ -26,8 +26,8 @@ std::optional<TurnBetweenPoses> explainingTurn(const JointRefinement& joint, std
 std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& patch,
                                      const std::vector<std::size_t>& but) {
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
-  constexpr double kLeastTimes = 2;
-  const JointRefinement& joint = *patch.joint();
+  constexpr double kMinTimes = 2;
+  const GlobalRefinement& joint = *patch.joint();
   std::optional<BadSensor> worst;
   double worst_misfit = skin.options().max_misfit;
   for (const std::size_t cell : patch.cells()) {
@@ -36,7 +36,7 @@ std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& p
     if (joint.mostMisfitOf(cell).deviate() <= worst_misfit) continue;
     const Misfit found = joint.misfitOf(cell);
     const double misfit = found.deviate();
-    if (misfit <= worst_misfit || found.chi_squared < kLeastTimes * found.degrees) continue;
+    if (misfit <= worst_misfit || found.chi_squared < kMinTimes * found.degrees) continue;
     worst = BadSensor{cell, std::nullopt};
     worst_misfit = misfit;
   }
@@ -67,7 +67,7 @@ class Misfits {
   }
 
  private:
-  [[nodiscard]] Explanation explanationOf(const SkinLinks& skin, const JointRefinement& joint, const BadSensor& bad) {
+  [[nodiscard]] Explanation explanationOf(const SkinLinks& skin, const GlobalRefinement& joint, const BadSensor& bad) {
     Explanation found;
     const bool is_clear = joint.misfitOf(bad.cell).deviate() > kClearly * skin.options().max_misfit;
     if (hasTooFewPoses(skin, bad.cell) && !is_clear) {

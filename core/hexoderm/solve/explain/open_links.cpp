@@ -5,10 +5,10 @@
 namespace hexoderm {
 namespace {
 
-Finding describeOpenLink(const SkinGraph& graph, const JointRefinement::OpenLink& open, double limit_m) {
+Finding describeOpenLink(const SkinGraph& graph, const GlobalRefinement::OpenLink& open, double limit_m) {
   const LinkEnd source = graph.sourceEnd(graph.links()[open.link]);
   const LinkEnd target = graph.targetEnd(graph.links()[open.link]);
-  const Message link = linkInWords(source, target);
+  const Message link = linkText(source, target);
   const Millimetres opening{open.opening_m, 0};
   const Millimetres limit{limit_m, 0};
   const std::size_t candidates = linksOfAllLoopsThrough(graph, open.link).size();

@@ -255,10 +255,10 @@ class AttitudeSearch {
   /// twist the other way across it. A twist that is the same in all directions belongs to no surface.
   [[nodiscard]] std::optional<AttitudeSuspect> judgePatch(const PatchShape& shape) const {
     constexpr double kLimit = 5;
-    constexpr double kLeast = 4 * kDegree;
+    constexpr double kMin = 4 * kDegree;
     if (shape.antisymmetric_sigma <= 0) return std::nullopt;
     const double deviate = std::abs(shape.parameters.w()) / shape.antisymmetric_sigma;
-    if (deviate < strictness() * kLimit || std::abs(shape.parameters.w()) < kLeast) return std::nullopt;
+    if (deviate < strictness() * kLimit || std::abs(shape.parameters.w()) < kMin) return std::nullopt;
     AttitudeSuspect suspect{AttitudeSuspect::Kind::Patch};
     suspect.angle_rad = std::abs(shape.parameters.w());
     return suspect;
@@ -396,7 +396,7 @@ class AttitudeSearch {
 
   /// A cell whose readings before and after a pose belong to two attitudes.
   [[nodiscard]] std::optional<AttitudeSuspect> judgeMotion(std::size_t place, const Turn& by_links) const {
-    constexpr double kLeastTurn = 2 * kDegree;  // what a cell does in a soft mould
+    constexpr double kMinTurn = 2 * kDegree;  // what a cell does in a soft mould
     const OwnCell& own = own_[place];
     if (own.readings.size() < 2) return std::nullopt;
     const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
@@ -418,7 +418,7 @@ class AttitudeSearch {
     TurnBetweenPoses turn = findTurn(prior_, own.readings, v_g, attitude, least_gain);
     turn.gain.chi_squared *= hidden;
     const double limit = turn.gain.degrees <= 2 ? limits.of_two_angles : limits.of_three_angles;
-    if (!(turn.angle_rad >= kLeastTurn && turn.gain.chi_squared > limit)) return std::nullopt;
+    if (!(turn.angle_rad >= kMinTurn && turn.gain.chi_squared > limit)) return std::nullopt;
     AttitudeSuspect suspect{AttitudeSuspect::Kind::Moved};
     suspect.cell = cells_[place];
     suspect.angle_rad = turn.angle_rad;

@@ -16,10 +16,10 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kDeadNorm_g = 0.5;             // no offset and no pose leaves less of 1 g than this
-constexpr double kLeastNormTolerance_g = 0.15;  // a good sensor with an uncalibrated scale may read 0.9 g
-constexpr double kStuckAngle = 2 * kDegree;     // a stuck sensor turns less than this ...
-constexpr double kMovedAngle = 15 * kDegree;    // ... while the other cells turned at least this
+constexpr double kDeadNorm_g = 0.5;           // no offset and no pose leaves less of 1 g than this
+constexpr double kMinNormTolerance_g = 0.15;  // a good sensor with an uncalibrated scale may read 0.9 g
+constexpr double kStuckAngle = 2 * kDegree;   // a stuck sensor turns less than this ...
+constexpr double kMovedAngle = 15 * kDegree;  // ... while the other cells turned at least this
 constexpr double kNoisyTimesOthers = 4;
 constexpr double kMovingSigma_g =
     0.25;  // tremor is 10 mg, at the end of an arm's length 100 mg; a moving part far above
@@ -184,13 +184,13 @@ class Judge {
   /// How improbable it is that 1 g was read in every pose by a sensor with an offset and scale errors: a chi-squared.
   [[nodiscard]] double misfitOfNorms(std::size_t cell, const std::vector<std::size_t>& poses) const {
     using Vector6 = Eigen::Matrix<double, 6, 1>;
-    constexpr double kLeast = 1e-3;
+    constexpr double kMin = 1e-3;
     constexpr double kLinear_g = 0.02;  // what is left of a norm when it is taken as linear in offsets of 0.2 g
     const Accelerometer& a = snapshot_.model->accelerometer;
     // An offset b lengthens a reading along d by b.d, and scales s by the sum of s_i d_i^2.
     Vector6 sigmas;
-    sigmas << Eigen::Vector3d::Constant(std::max(kLeast, a.offset_sigma_g)),
-        Eigen::Vector3d::Constant(std::max(kLeast, a.scale_sigma));
+    sigmas << Eigen::Vector3d::Constant(std::max(kMin, a.offset_sigma_g)),
+        Eigen::Vector3d::Constant(std::max(kMin, a.scale_sigma));
     Matrix6d information = sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
     Vector6 weighted = Vector6::Zero();
     double squares = 0;
@@ -251,7 +251,7 @@ class Judge {
   /// Range and norm: a reading that can't be gravity is not used.
   void judgeReadings(std::size_t cell) {
     const Accelerometer& a = snapshot_.model->accelerometer;
-    const double tolerance = std::max(kLeastNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
+    const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
     std::vector<std::size_t> saturated;
     std::vector<std::size_t> dead;
     std::vector<std::size_t> off_norm;

@@ -42,7 +42,7 @@ std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, L
   if (whole <= std::min({limits.bend_rad, limits.twist_rad, limits.yaw_rad})) return {};
   const LinkAngles judged = separated(angles);
   std::vector<Finding> findings;
-  const Message link = linkInWords(source, target);
+  const Message link = linkText(source, target);
   const auto judge = [&](double angle_rad, double limit_rad, FindingCode code, const auto& inWords) {
     if (std::abs(angle_rad) <= limit_rad) return;
     Message words = inWords(Number{toDegrees(std::abs(angle_rad)), 0}, Number{toDegrees(limit_rad), 0});
@@ -71,7 +71,7 @@ std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, L
 
 Finding describeUnexpectedAngle(FindingCode code, LinkEnd source, LinkEnd target, double angle_rad, double lowest_rad,
                                 double highest_rad) {
-  const Message link = linkInWords(source, target);
+  const Message link = linkText(source, target);
   const Number angle{toDegrees(angle_rad), 0};
   const Number lowest{toDegrees(lowest_rad), 0};
   const Number highest{toDegrees(highest_rad), 0};

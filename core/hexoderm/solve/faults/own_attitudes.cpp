@@ -14,7 +14,7 @@ namespace hexoderm {
 namespace {
 
 /// One pose's force and swing, by least squares over the cells that read it.
-class SwingFit {
+class AngularAccelerationFit {
  public:
   void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o, double variance_g2) {
     count_ += 1;
@@ -26,7 +26,7 @@ class SwingFit {
     turning_ += t_o.cross(f_o);
   }
 
-  void operator+=(const SwingFit& other) {
+  void operator+=(const AngularAccelerationFit& other) {
     count_ += other.count_;
     squares_ += other.squares_;
     variances_ += other.variances_;
@@ -39,9 +39,9 @@ class SwingFit {
   /// Returns by how much that changes what a usual cell reads, g. Leaves `force` as it was where the cells agree on
   /// nothing.
   double find(PatchForce& force) const {
-    constexpr double kLeastAgreed = 0.5;  // g, as a sum
+    constexpr double kMinAgreed = 0.5;  // g, as a sum
     constexpr int kRounds = 4;
-    if (count_ == 0 || force_.norm() <= kLeastAgreed) return 0;
+    if (count_ == 0 || force_.norm() <= kMinAgreed) return 0;
     const Eigen::Vector3d mean = force_ / count_;
     const Eigen::Vector3d middle = place_ / count_;
     // f(t) = mean + swing x (t - middle), the swing with a usual tremor as its prior, and an error of every f whose
@@ -53,7 +53,7 @@ class SwingFit {
     const PatchForce before = force;
     double left = squares;
     for (int round = 0; round < kRounds; ++round) {
-      const double variance = std::max(kLeastVariance, left / (3 * count_));
+      const double variance = std::max(kMinVariance, left / (3 * count_));
       Eigen::Matrix3d information = levers;
       information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
       force.swing_o = information.ldlt().solve(turning);
@@ -68,7 +68,7 @@ class SwingFit {
   }
 
  private:
-  static constexpr double kLeastVariance = 1e-12;  // g^2: without noise too the algebra is finite
+  static constexpr double kMinVariance = 1e-12;  // g^2: without noise too the algebra is finite
   double count_ = 0;
   double squares_ = 0;
   double variances_ = 0;
@@ -164,7 +164,7 @@ class Finder {
   }
 
   OwnAttitudes run() {
-    findAttitudes(kMostAttitudeSteps, [this](std::size_t, std::size_t place, const OwnAttitude& found) {
+    findAttitudes(kMaxAttitudeSteps, [this](std::size_t, std::size_t place, const OwnAttitude& found) {
       OwnCell& own = own_[place];
       own.R_o_u = found.R * R_u_a_.transpose();
       own.information =
@@ -204,8 +204,8 @@ class Finder {
 
   /// Every force as most cells, freed from the errors of their sensors, read it. Returns whether that was known before.
   bool refineForces(int most_steps) {
-    constexpr double kSettled_g = 3e-4;  // far below what any attitude is known to
-    using Fits = std::vector<SwingFit>;  // per force
+    constexpr double kSettled_g = 3e-4;                // far below what any attitude is known to
+    using Fits = std::vector<AngularAccelerationFit>;  // per force
     std::vector<Fits> of_ranges((own_.size() + kCellsAtOnce - 1) / kCellsAtOnce, Fits(forces_.size()));
     findAttitudes(most_steps, [&](std::size_t range, std::size_t place, const OwnAttitude& found) {
       const Eigen::Matrix3d freed = found.R * found.gain.inverse();
@@ -216,7 +216,7 @@ class Finder {
     });
     double most_g = 0;
     for (std::size_t k = 0; k < forces_.size(); ++k) {
-      SwingFit fit;
+      AngularAccelerationFit fit;
       for (const Fits& fits : of_ranges) fit += fits[k];
       most_g = std::max(most_g, fit.find(forces_[k]));
     }

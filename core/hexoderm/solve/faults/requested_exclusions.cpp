@@ -7,8 +7,8 @@
 namespace hexoderm {
 namespace {
 
-Message setAsideInWords(const MutedLink& muted, bool is_reported) {
-  const Message link = linkInWords(muted.source, muted.target);
+Message setAsideText(const MutedLink& muted, bool is_reported) {
+  const Message link = linkText(muted.source, muted.target);
   if (muted.why.empty()) {
     return is_reported ? message("The {} was set aside by hand; it is not used.", link)
                        : message("The {} was set aside by hand, but the skin reports no such link.", link);
@@ -24,7 +24,7 @@ void setLinksAside(SkinLinks& skin, std::vector<Finding>& findings) {
   std::vector<std::size_t> links;
   for (const MutedLink& muted : skin.snapshot().muted_links) {
     const std::optional<std::size_t> link = skin.graph().indexOf(muted.source, muted.target);
-    findings.push_back(makeFinding(FindingCode::LinkSetAside, setAsideInWords(muted, link.has_value()),
+    findings.push_back(makeFinding(FindingCode::LinkSetAside, setAsideText(muted, link.has_value()),
                                    {muted.source.cell, muted.target.cell}, {muted.source.port, muted.target.port}));
     if (link) links.push_back(*link);
   }

@@ -177,7 +177,7 @@ std::vector<SuspectSearch::BadLink> SuspectSearch::badLinks(std::span<const std:
              FindingCode::LinkNotRigid,
              message("The cells of the {} moved against each other between poses (misfit {} standard deviations, limit "
                      "{}): probably a joint or a cable, or one of the two sensors is bad. The link is not used.",
-                     linkInWords(source, target), Number{verdict.misfit, 1}, Number{skin_.options().max_misfit, 1}),
+                     linkText(source, target), Number{verdict.misfit, 1}, Number{skin_.options().max_misfit, 1}),
              {source.cell, target.cell}, {source.port, target.port})}});
   }
   return bad;

@@ -8,7 +8,7 @@ namespace hexoderm {
 namespace {
 
 /// A parameter with a sigma of 0 is known to be 0; a finite precision keeps the algebra the same for all.
-constexpr double kLeastSigma = 1e-9;
+constexpr double kMinSigma = 1e-9;
 
 Eigen::Vector4d regressor(const Eigen::Vector3d& v) { return {1, v.x(), v.y(), v.z()}; }
 
@@ -170,7 +170,7 @@ Eigen::Matrix4d rootOfInverse(const Eigen::Matrix4d& matrix) {
 }
 
 AccelerometerPrior::AccelerometerPrior(const Accelerometer& accelerometer) {
-  const auto precisionOf = [](double sigma) { return 1 / std::pow(std::max(sigma, kLeastSigma), 2); };
+  const auto precisionOf = [](double sigma) { return 1 / std::pow(std::max(sigma, kMinSigma), 2); };
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Vector4d& precision = precision_[static_cast<std::size_t>(axis)];
     precision.setConstant(precisionOf(accelerometer.cross_axis_sigma));

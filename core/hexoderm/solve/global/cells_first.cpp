@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kAtOnce = 512;
 
-std::shared_ptr<const EliminationPlan> planOf(const JointProblem& problem) {
+std::shared_ptr<const EliminationPlan> planOf(const GlobalProblem& problem) {
   return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
 }
 
@@ -64,7 +64,7 @@ class BorderedFactor {
   }
   /// A^-1 E S^-T, with S S^T = F - E^T A^-1 E: the border's part of the cells' covariance is its outer product. Needs
   /// finish().
-  [[nodiscard]] const RightSides& borderRoot() const {
+  [[nodiscard]] const RightHandSides& borderRoot() const {
     assert(finished_);
     return border_;
   }
@@ -101,13 +101,13 @@ class BorderedFactor {
 
   std::shared_ptr<const EliminationPlan> plan_;
   BlockCholesky factor_;
-  RightSides border_;      // L^-1 E, with L L^T = A, until finish()
+  RightHandSides border_;  // L^-1 E, with L L^T = A, until finish()
   bool finished_ = false;  // border_ is the root
   Eigen::LLT<Eigen::MatrixXd> schur_;
 };
 
 /// The covariances of all cells from their blocks of the sparse matrix's inverse.
-std::vector<Matrix6d> withBorder(std::vector<Matrix6d> cells, const RightSides& border_root, std::size_t origin) {
+std::vector<Matrix6d> withBorder(std::vector<Matrix6d> cells, const RightHandSides& border_root, std::size_t origin) {
   inRanges(cells.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       const Matrix6d sum = cells[cell] + border_root.product(cell, cell);
@@ -120,13 +120,13 @@ std::vector<Matrix6d> withBorder(std::vector<Matrix6d> cells, const RightSides& 
 
 /// Where and how a factor was made, to make it once more.
 struct FactorOrigin {
-  JointState state;
+  GlobalState state;
   double damping = 0;
 };
 
-class CellsFirstCovariance : public JointCovariance {
+class CellsFirstCovariance : public GlobalCovariance {
  public:
-  CellsFirstCovariance(const JointProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made)
+  CellsFirstCovariance(const GlobalProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made)
       : origin_(problem.origin),
         cells_(problem.cellCount()),
         layout_(problem),
@@ -179,7 +179,7 @@ class CellsFirstCovariance : public JointCovariance {
     return estimates_gap_share_ ? std::sqrt(border()(layout_.gapShare(), layout_.gapShare())) : 0;
   }
 
-  void keepProblemInstead(std::shared_ptr<const JointProblem> problem) const override {
+  void keepProblemInstead(std::shared_ptr<const GlobalProblem> problem) const override {
     border();
     std::call_once(computed_, [&] { parts_ = compute(givenUpFactor(problem)); });
     const std::lock_guard lock(factor_mutex_);
@@ -204,7 +204,7 @@ class CellsFirstCovariance : public JointCovariance {
   }
   /// The finished factor, which is made from the problem when it is needed again.
   [[nodiscard]] std::shared_ptr<BorderedFactor> givenUpFactor(
-      const std::shared_ptr<const JointProblem>& problem) const {
+      const std::shared_ptr<const GlobalProblem>& problem) const {
     const std::lock_guard lock(factor_mutex_);
     knownFactor()->finish();
     problem_ = problem;
@@ -241,7 +241,7 @@ class CellsFirstCovariance : public JointCovariance {
   [[nodiscard]] Parts compute(std::shared_ptr<BorderedFactor> factor) const {
     BlockCholesky::SelectedInverse inverse =
         factor.use_count() == 1 ? factor->takeCells().selectedInverse() : factor->cells().selectedInverse();
-    const RightSides& border_root = factor->borderRoot();
+    const RightHandSides& border_root = factor->borderRoot();
     Parts parts;
     parts.cells = withBorder(std::move(inverse.diagonal), border_root, origin_);
     parts.links.resize(link_ends_.size());
@@ -272,8 +272,8 @@ class CellsFirstCovariance : public JointCovariance {
   std::shared_ptr<const EliminationPlan> plan_;
   FactorOrigin made_;
   mutable std::mutex factor_mutex_;
-  mutable std::shared_ptr<const JointProblem> problem_;  ///< where there may be no factor
-  mutable std::shared_ptr<BorderedFactor> factor_;       ///< null: to be made from the problem
+  mutable std::shared_ptr<const GlobalProblem> problem_;  ///< where there may be no factor
+  mutable std::shared_ptr<BorderedFactor> factor_;        ///< null: to be made from the problem
   mutable std::once_flag computed_;
   mutable Parts parts_;
   mutable std::once_flag border_computed_;
@@ -282,9 +282,9 @@ class CellsFirstCovariance : public JointCovariance {
 
 /// Equations are large, so there are those of one state at a time: where a candidate is refused, those of the state
 /// before are made once more.
-class CellsFirst : public JointSystem {
+class CellsFirst : public GlobalSystem {
  public:
-  double linearize(const JointProblem& problem, const JointState& candidate) override {
+  double linearize(const GlobalProblem& problem, const GlobalState& candidate) override {
     problem_ = &problem;
     hexoderm::linearize(problem, candidate, equations_);
     of_state_ = false;
@@ -310,7 +310,7 @@ class CellsFirst : public JointSystem {
     factor_->solve(equations_, cells, border);
     return -(equations_.gradient_cells.dot(cells) + equations_.gradient_border.dot(border)) / 2;
   }
-  std::shared_ptr<const JointCovariance> inverse() override {
+  std::shared_ptr<const GlobalCovariance> inverse() override {
     return std::make_shared<CellsFirstCovariance>(*problem_, factor_, made_);
   }
   void releaseWorkspace() override {
@@ -323,20 +323,20 @@ class CellsFirst : public JointSystem {
   }
 
  private:
-  const JointProblem* problem_ = nullptr;  ///< the latest
+  const GlobalProblem* problem_ = nullptr;  ///< the latest
   std::shared_ptr<BorderedFactor> factor_;
   FactorOrigin made_;
   NormalEquations equations_;
   bool of_state_ = false;  ///< the equations are whole, and those of the state
-  JointState state_;
-  JointState candidate_;
+  GlobalState state_;
+  GlobalState candidate_;
 };
 
 }  // namespace
 
-std::unique_ptr<JointSystem> makeCellsFirst() { return std::make_unique<CellsFirst>(); }
+std::unique_ptr<GlobalSystem> makeCellsFirst() { return std::make_unique<CellsFirst>(); }
 
-std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const JointState& state) {
+std::vector<Matrix6d> cellCovariancesAt(const GlobalProblem& problem, const GlobalState& state) {
   BorderedFactor factor(planOf(problem));
   factorizeWithLeastDamping([&](double damping) {
     NormalEquations equations;
@@ -347,7 +347,7 @@ std::vector<Matrix6d> cellCovariancesAt(const JointProblem& problem, const Joint
   return withBorder(factor.takeCells().inverseDiagonal(), factor.borderRoot(), problem.origin);
 }
 
-double workOfCellsFirst(const JointProblem& problem) {
+double workOfCellsFirst(const GlobalProblem& problem) {
   // Twelve errors of a sensor and six unknowns of a cell take their products from the dense border, which is then
   // factorised; the sparse part is small beside it.
   const auto border = static_cast<double>(BorderLayout(problem).size());

@@ -5,7 +5,7 @@
 
 namespace hexoderm {
 
-bool EliminationPlan::fits(const JointProblem& problem) const {
+bool EliminationPlan::fits(const GlobalProblem& problem) const {
   if (of_link.size() != problem.links.size() || pattern->order.size() != problem.cellCount()) return false;
   for (std::size_t k = 0; k < of_link.size(); ++k) {
     BlockCouple ends = couples[of_link[k].couple];
@@ -29,7 +29,7 @@ std::span<const Matrix6d> EliminationPlan::couplesOf(std::span<const Matrix6d> l
   return sums;
 }
 
-std::shared_ptr<const EliminationPlan> planElimination(const JointProblem& problem) {
+std::shared_ptr<const EliminationPlan> planElimination(const GlobalProblem& problem) {
   auto plan = std::make_shared<EliminationPlan>();
   // Links sorted by their two cells, the first of equal ones first.
   std::vector<std::pair<std::pair<std::size_t, std::size_t>, std::size_t>> sorted;
@@ -45,7 +45,7 @@ std::shared_ptr<const EliminationPlan> planElimination(const JointProblem& probl
   }
   plan->of_link.resize(problem.links.size());
   for (std::size_t k = 0; k < problem.links.size(); ++k) {
-    const JointLink& link = problem.links[k];
+    const GlobalLink& link = problem.links[k];
     if (first[k] == k) {
       plan->of_link[k] = {plan->couples.size(), false};
       plan->couples.push_back({link.c, link.n});

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/base/large_memory.h"
-#include "hexoderm/solve/global/joint_cost.h"
+#include "hexoderm/solve/global/global_cost.h"
 #include "hexoderm/solve/sparse/supernodes.h"
 
 #include <memory>
@@ -24,11 +24,11 @@ struct EliminationPlan {
   std::shared_ptr<const SupernodalPattern> pattern;
 
   /// Was made for the same cells and links.
-  [[nodiscard]] bool fits(const JointProblem& problem) const;
+  [[nodiscard]] bool fits(const GlobalProblem& problem) const;
   /// The blocks per couple, which are made in `sums` where several links join the same cells.
   [[nodiscard]] std::span<const Matrix6d> couplesOf(std::span<const Matrix6d> links, LargeVector<Matrix6d>& sums) const;
 };
 
-std::shared_ptr<const EliminationPlan> planElimination(const JointProblem& problem);
+std::shared_ptr<const EliminationPlan> planElimination(const GlobalProblem& problem);
 
 }  // namespace hexoderm

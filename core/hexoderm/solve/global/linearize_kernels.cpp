@@ -1,5 +1,5 @@
 #define HEXODERM_LANES 2
-#include "hexoderm/solve/global/linearize_kernels_text.h"
+#include "hexoderm/solve/global/linearize_kernels.inl"
 
 #include "hexoderm/base/vector_instructions.h"
 

@@ -15,7 +15,7 @@ struct LaneSetting {
   std::vector<double> force_o;
   std::vector<double> acceleration_o;
 
-  LaneSetting(const JointProblem& problem, const JointState& state) {
+  LaneSetting(const GlobalProblem& problem, const GlobalState& state) {
     const CellModel& model = *problem.model;
     const AccelerometerPrior prior(model.accelerometer);
     const Eigen::Matrix3d R_a_u = model.accelerometer.T_u_a.R.transpose();
@@ -86,7 +86,7 @@ struct alignas(4 * sizeof(double)) LaneBlock {
 
 class CellsInLanes {
  public:
-  CellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+  CellsInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                NormalEquations& equations)
       : kernels_(kernels),
         problem_(problem),
@@ -226,8 +226,8 @@ class CellsInLanes {
   }
 
   const LinearizeKernels& kernels_;
-  const JointProblem& problem_;
-  const JointState& state_;
+  const GlobalProblem& problem_;
+  const GlobalState& state_;
   NormalEquations& equations_;
   BorderLayout layout_;
   std::size_t columns_;
@@ -243,7 +243,7 @@ class CellsInLanes {
 
 class LinksInLanes {
  public:
-  LinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+  LinksInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                Eigen::Index share, NormalEquations& equations)
       : kernels_(kernels),
         problem_(problem),
@@ -278,7 +278,7 @@ class LinksInLanes {
 
  private:
   void fill(std::size_t lane, std::size_t index) {
-    const JointLink& link = problem_.links[index];
+    const GlobalLink& link = problem_.links[index];
     const SE3& T_c = state_.cells[link.c];
     const SE3& T_n = state_.cells[link.n];
     R_c_.put(lane, T_c.R);
@@ -290,7 +290,7 @@ class LinksInLanes {
   }
 
   void add(std::size_t lane, std::size_t index) {
-    const JointLink& link = problem_.links[index];
+    const GlobalLink& link = problem_.links[index];
     equations_.cost += cost_(0, lane);
     const bool moves_c = link.c != problem_.origin;
     const bool moves_n = link.n != problem_.origin;
@@ -313,8 +313,8 @@ class LinksInLanes {
   }
 
   const LinearizeKernels& kernels_;
-  const JointProblem& problem_;
-  const JointState& state_;
+  const GlobalProblem& problem_;
+  const GlobalState& state_;
   Eigen::Index share_;
   NormalEquations& equations_;
   LaneSetting setting_;
@@ -324,12 +324,12 @@ class LinksInLanes {
 
 }  // namespace
 
-void linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+void linearizeCellsInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                            NormalEquations& equations) {
   CellsInLanes(kernels, problem, state, equations).run();
 }
 
-void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+void linearizeLinksInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                            Eigen::Index share, NormalEquations& equations) {
   LinksInLanes(kernels, problem, state, share, equations).run();
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/solve/global/joint_cost.h"
+#include "hexoderm/solve/global/global_cost.h"
 #include "hexoderm/solve/global/linearize_kernels.h"
 
 namespace hexoderm {
@@ -8,11 +8,11 @@ namespace hexoderm {
 // The bulk of linearize(), several cells or links at once.
 
 /// Adds what the readings of cells say. Of the border's matrix only the lower triangle is added to.
-void linearizeCellsInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+void linearizeCellsInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                            NormalEquations& equations);
 
 /// Adds what links say, with the gap share at `share` in the border.
-void linearizeLinksInLanes(const LinearizeKernels& kernels, const JointProblem& problem, const JointState& state,
+void linearizeLinksInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                            Eigen::Index share, NormalEquations& equations);
 
 }  // namespace hexoderm

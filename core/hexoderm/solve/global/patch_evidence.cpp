@@ -10,9 +10,9 @@ namespace {
 
 /// The same patch with sensors that are known to have no errors and read just that, each as precise as `sensors` has
 /// it: its equations are J^T W J + K.
-JointProblem withPerfectSensors(const JointProblem& problem, std::span<const SensorState> sensors,
-                                const CellModel& perfect) {
-  JointProblem with = problem;
+GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const SensorState> sensors,
+                                 const CellModel& perfect) {
+  GlobalProblem with = problem;
   with.model = &perfect;
   for (std::size_t cell = 0; cell < with.cellCount(); ++cell) {
     for (std::size_t k = 0; k < with.readings[cell].size(); ++k) {
@@ -26,7 +26,7 @@ JointProblem withPerfectSensors(const JointProblem& problem, std::span<const Sen
 /// B^T W B of a cell's readings, the same for all axes, and J^T W B, a row per unknown.
 class CellRows {
  public:
-  CellRows(const JointProblem& problem, const JointState& state, std::size_t cell, const SensorState& sensor,
+  CellRows(const GlobalProblem& problem, const GlobalState& state, std::size_t cell, const SensorState& sensor,
            Eigen::Ref<Eigen::MatrixXd> mixed) {
     const SE3& T_o_u = state.cells[cell];
     const Eigen::Matrix3d R_a_o = problem.model->accelerometer.T_u_a.R.transpose() * T_o_u.R.transpose();
@@ -64,7 +64,7 @@ class CellRows {
 
 }  // namespace
 
-SensorEvidence evidenceOfPatch(const JointProblem& problem, const JointState& state,
+SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& state,
                                std::span<const SensorState> sensors) {
   std::vector<std::size_t> measured;
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
@@ -72,7 +72,7 @@ SensorEvidence evidenceOfPatch(const JointProblem& problem, const JointState& st
   }
   CellModel perfect = *problem.model;
   perfect.accelerometer.offset_sigma_g = perfect.accelerometer.scale_sigma = perfect.accelerometer.cross_axis_sigma = 0;
-  const JointProblem with_perfect = withPerfectSensors(problem, sensors, perfect);
+  const GlobalProblem with_perfect = withPerfectSensors(problem, sensors, perfect);
   NormalEquations equations;
   linearize(with_perfect, state, equations);
   const Eigen::LLT<Eigen::MatrixXd> factor(denseMatrix(problem, equations));

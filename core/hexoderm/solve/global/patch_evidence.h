@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/solve/global/joint_cost.h"
+#include "hexoderm/solve/global/global_cost.h"
 #include "hexoderm/solve/global/sensor_evidence.h"
 
 #include <span>
@@ -15,7 +15,7 @@ namespace hexoderm {
 /// probable errors x that came out. Neither depends on L but by the point at which all is linear.
 ///
 /// `sensors`: per cell, as at `state`, the optimum. Dense: time grows with the cube of the cells.
-SensorEvidence evidenceOfPatch(const JointProblem& problem, const JointState& state,
+SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& state,
                                std::span<const SensorState> sensors);
 
 }  // namespace hexoderm

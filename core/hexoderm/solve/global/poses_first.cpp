@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-class PosesFirstCovariance : public JointCovariance {
+class PosesFirstCovariance : public GlobalCovariance {
  public:
   explicit PosesFirstCovariance(std::shared_ptr<const poses_first::Factor> factor)
       : origin_(factor->origin()), estimates_gap_share_(factor->estimatesGapShare()), factor_(std::move(factor)) {}
@@ -82,9 +82,9 @@ class PosesFirstCovariance : public JointCovariance {
   mutable Parts parts_;
 };
 
-class PosesFirst : public JointSystem {
+class PosesFirst : public GlobalSystem {
  public:
-  double linearize(const JointProblem& problem, const JointState& candidate) override {
+  double linearize(const GlobalProblem& problem, const GlobalState& candidate) override {
     assert(!problem.accelerations);
     if (factor_ == nullptr) factor_ = std::make_shared<poses_first::Factor>(problem);
     next_ = std::make_shared<const poses_first::Equations>(poses_first::linearize(problem, candidate));
@@ -93,7 +93,7 @@ class PosesFirst : public JointSystem {
   void accept() override { equations_ = std::move(next_); }
   bool factorize(double damping) override { return factor_->factorize(equations_, damping); }
   double step(VectorXd& cells, VectorXd& border) const override { return factor_->step(*equations_, cells, border); }
-  std::shared_ptr<const JointCovariance> inverse() override {
+  std::shared_ptr<const GlobalCovariance> inverse() override {
     return std::make_shared<PosesFirstCovariance>(std::exchange(factor_, nullptr));
   }
   void releaseWorkspace() override {}
@@ -106,9 +106,9 @@ class PosesFirst : public JointSystem {
 
 }  // namespace
 
-std::unique_ptr<JointSystem> makePosesFirst() { return std::make_unique<PosesFirst>(); }
+std::unique_ptr<GlobalSystem> makePosesFirst() { return std::make_unique<PosesFirst>(); }
 
-double workOfPosesFirst(const JointProblem& problem) {
+double workOfPosesFirst(const GlobalProblem& problem) {
   // Two dense matrices are factorised, of twelve errors of a sensor and of six unknowns of a cell, and the first one
   // takes out the turns. A pose costs 60 for every pair of cells.
   const auto cells = static_cast<double>(problem.cellCount());

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/solve/global/joint_system.h"
+#include "hexoderm/solve/global/global_system.h"
 
 #include <memory>
 
@@ -17,9 +17,9 @@ namespace hexoderm {
 /// H_p being the force's own. Since r = T (1, f_p), with T and G of the cell alone, the pair of cells a and b has in
 /// the sum (T_a x G_a) [sum_p w_ap w_bp (phi_p phi_p^T x H_p^-1)] (T_b x G_b)^T with phi_p = (1, f_p): the sums of all
 /// pairs are products of matrices, 60 numbers a pose.
-std::unique_ptr<JointSystem> makePosesFirst();
+std::unique_ptr<GlobalSystem> makePosesFirst();
 
 /// About how many multiplications a step takes.
-double workOfPosesFirst(const JointProblem& problem);
+double workOfPosesFirst(const GlobalProblem& problem);
 
 }  // namespace hexoderm

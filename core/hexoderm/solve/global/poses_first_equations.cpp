@@ -10,7 +10,7 @@ namespace {
 
 class Linearizer {
  public:
-  Linearizer(const JointProblem& problem, const JointState& state, Equations& equations)
+  Linearizer(const GlobalProblem& problem, const GlobalState& state, Equations& equations)
       : problem_(problem),
         state_(state),
         equations_(equations),
@@ -96,8 +96,8 @@ class Linearizer {
     }
   }
 
-  const JointProblem& problem_;
-  const JointState& state_;
+  const GlobalProblem& problem_;
+  const GlobalState& state_;
   Equations& equations_;
   AccelerometerPrior prior_;
   Eigen::Matrix3d R_a_u_;
@@ -106,7 +106,7 @@ class Linearizer {
 
 }  // namespace
 
-Equations linearize(const JointProblem& problem, const JointState& state) {
+Equations linearize(const GlobalProblem& problem, const GlobalState& state) {
   Equations equations;
   Linearizer(problem, state, equations).run();
   return equations;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hexoderm/solve/global/joint_system.h"
+#include "hexoderm/solve/global/global_system.h"
 
 #include <Eigen/Core>
 #include <cstddef>
@@ -36,6 +36,6 @@ struct Equations {
 };
 
 /// The model at a state, with the sensors' errors that fit it best.
-Equations linearize(const JointProblem& problem, const JointState& state);
+Equations linearize(const GlobalProblem& problem, const GlobalState& state);
 
 }  // namespace hexoderm::poses_first

@@ -88,9 +88,9 @@ Eigen::Matrix3d contractWith(const Eigen::Vector4d& phi, const Couple& folded) {
 
 }  // namespace
 
-Factor::Factor(const JointProblem& problem)
+Factor::Factor(const GlobalProblem& problem)
     : origin_(problem.origin), cells_(problem.cellCount()), estimates_gap_share_(problem.gap.sigma.has_value()) {
-  for (const JointLink& link : problem.links) links_.push_back({link.c, link.n});
+  for (const GlobalLink& link : problem.links) links_.push_back({link.c, link.n});
   const AccelerometerPrior prior(problem.model->accelerometer);
   for (int axis = 0; axis < 3; ++axis) prior_.segment<4>(4 * axis) = prior.precision(axis);
 }

@@ -20,7 +20,7 @@ struct LinkEnds {
 /// S + P (P: the priors of e), S K and K^T S K + X (X: links and gap share).
 class Factor {
  public:
-  explicit Factor(const JointProblem& problem);
+  explicit Factor(const GlobalProblem& problem);
 
   bool factorize(std::shared_ptr<const Equations> equations, double damping);
 

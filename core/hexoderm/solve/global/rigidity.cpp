@@ -36,8 +36,7 @@ Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const
 
 namespace {
 
-constexpr double kLeastInformation =
-    1e-6;  // a turn that no reading shows takes nothing away, and the algebra is finite
+constexpr double kMinInformation = 1e-6;  // a turn that no reading shows takes nothing away, and the algebra is finite
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
@@ -104,7 +103,7 @@ Matrix6 informationAboutTwoTurns(const ReadingSums& all, const ReadingSums& afte
   }
   // Only its upper right was summed up.
   information.bottomLeftCorner<3, 3>() = information.topRightCorner<3, 3>().transpose();
-  information.diagonal().array() += kLeastInformation;
+  information.diagonal().array() += kMinInformation;
   return information;
 }
 
@@ -133,7 +132,7 @@ TurnBetweenPoses findTurn(const AccelerometerPrior& prior, std::span<const CellR
   Vector6 gradient;
   gradient.head<3>() = solved.gradient - attitude.weighted;
   const Eigen::Matrix3d rigid =
-      solved.information + attitude.information + kLeastInformation * Eigen::Matrix3d::Identity();
+      solved.information + attitude.information + kMinInformation * Eigen::Matrix3d::Identity();
   const double without = gradient.head<3>().dot(rigid.ldlt().solve(gradient.head<3>()));
   ReadingSums after = all;
   for (std::size_t split = 1; split < readings.size(); ++split) {
@@ -179,7 +178,7 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
     own.offset_g = solved.errors.row(0).transpose();
     own.gain = solved.gain;
     // v + v x e is the force in a cell that is turned by e.
-    const Eigen::Matrix3d finite = solved.information + kLeastInformation * Eigen::Matrix3d::Identity();
+    const Eigen::Matrix3d finite = solved.information + kMinInformation * Eigen::Matrix3d::Identity();
     Eigen::Vector3d step = finite.ldlt().solve(solved.gradient);
     if (step.norm() > kLargestStep) step *= kLargestStep / step.norm();
     own.R *= expSO3(-step);
@@ -193,7 +192,7 @@ Misfit testRigidity(const AccelerometerPrior& prior, const ReadingSums& sums) {
   if (sums.readings < 2) return misfit;
   SensorAndTurn solved = solveSensorAndTurn(prior, sums);
   const double twice_cost = twiceCost(sums, solved);
-  solved.information.diagonal().array() += kLeastInformation;
+  solved.information.diagonal().array() += kMinInformation;
   misfit.chi_squared =
       std::max(0.0, twice_cost - solved.gradient.dot(solved.information.ldlt().solve(solved.gradient)));
   misfit.degrees = 3 * sums.readings - 3;

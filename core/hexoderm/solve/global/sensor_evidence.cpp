@@ -68,11 +68,11 @@ Eigen::VectorXd priorVariances(const Accelerometer& accelerometer, std::size_t s
 
 SensorEvidence ownEvidence(std::span<const CellReading> readings, std::span<const Eigen::Vector3d> v_g) {
   // A reading's error is y - v = x + n for an axis's errors by (1, v), and a turn e of the cell adds v x e to v.
-  constexpr double kLeastTurnInformation = 1e-6;  // of a turn that no reading shows
+  constexpr double kMinTurnInformation = 1e-6;  // of a turn that no reading shows
   Eigen::Matrix4d rows = Eigen::Matrix4d::Zero();
   SensorEvidence evidence{Eigen::MatrixXd::Zero(kSensorParameters, kSensorParameters),
                           Eigen::VectorXd::Zero(kSensorParameters)};
-  Eigen::Matrix3d turns = kLeastTurnInformation * Eigen::Matrix3d::Identity();
+  Eigen::Matrix3d turns = kMinTurnInformation * Eigen::Matrix3d::Identity();
   Eigen::Vector3d turned = Eigen::Vector3d::Zero();
   Eigen::Matrix<double, kSensorParameters, 3> mixed = Eigen::Matrix<double, kSensorParameters, 3>::Zero();
   for (std::size_t k = 0; k < readings.size(); ++k) {

@@ -14,7 +14,7 @@ using Variances = Eigen::Vector4d;
 constexpr Eigen::Index kShared = 3;
 constexpr Eigen::Index kKinds = kSensorErrors;
 
-constexpr double kLeastVariance = 1e-12;       // far below what any reading shows
+constexpr double kMinVariance = 1e-12;         // far below what any reading shows
 constexpr double kWeightOfModelSigmas = 1e-3;  // of one error, for the cell model's sigmas
 /// With fewer degrees of freedom the range of a sigma spans more than a factor of three.
 constexpr double kFewestErrors = 7;
@@ -118,13 +118,13 @@ class Likelihood {
 };
 
 Variances variancesOf(const Accelerometer& model) {
-  constexpr double kLeastShare = 0.01;  // of the offsets' variance, so that a shared part can be found
+  constexpr double kMinShare = 0.01;  // of the offsets' variance, so that a shared part can be found
   const double offset = std::pow(model.offset_sigma_g, 2);
-  const double shared = std::max(std::pow(model.shared_offset_sigma_g, 2), kLeastShare * offset);
+  const double shared = std::max(std::pow(model.shared_offset_sigma_g, 2), kMinShare * offset);
   Variances variances(offset - std::min(shared, offset), std::pow(model.scale_sigma, 2),
                       std::pow(model.cross_axis_sigma, 2), shared);
-  constexpr double kLeastStart = 1e-8;  // from exactly 0 nothing would move
-  return variances.cwiseMax(kLeastStart);
+  constexpr double kMinStart = 1e-8;  // from exactly 0 nothing would move
+  return variances.cwiseMax(kMinStart);
 }
 
 /// The model's word, as if so much of an error had been seen.
@@ -152,7 +152,7 @@ Variances mostLikely(std::span<const SensorEvidence> evidence, const Variances& 
     Variances next = variances;
     for (Eigen::Index k = 0; k < 4; ++k) {
       const double factor = std::isfinite(step[k]) ? 1 + step[k] : 1;
-      next[k] = std::max(kLeastVariance, variances[k] * std::clamp(factor, 1 / kLargestFactor, kLargestFactor));
+      next[k] = std::max(kMinVariance, variances[k] * std::clamp(factor, 1 / kLargestFactor, kLargestFactor));
     }
     const bool settled = ((next - variances).array().abs() <= kSettled * (variances.array() + kNegligible)).all();
     variances = next;
@@ -189,12 +189,12 @@ std::optional<double> upperBound(std::span<const SensorEvidence> evidence, const
                                  Eigen::Index which, double most) {
   constexpr double kFall = kTwoSided95 * kTwoSided95 / 2;
   constexpr double kFactor = 1.15;
-  constexpr double kLeast = 1e-8;  // a tenth of a mg
+  constexpr double kMin = 1e-8;  // a tenth of a mg
   Variances at = variances;
   double fallen = 0;
   double score = 0;
   while (fallen < kFall) {
-    const double next = std::max(kLeast, kFactor * at[which]);
+    const double next = std::max(kMin, kFactor * at[which]);
     if (next > most) return std::nullopt;
     const double step = next - at[which];
     at[which] = next;

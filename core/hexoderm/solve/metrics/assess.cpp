@@ -63,7 +63,7 @@ Message plusMinus(const Uncertainty95& spread) {
   return message("±{}, ±{}", Millimetres{spread.position_m, 1}, Degrees{spread.orientation_rad, 1});
 }
 
-Message posesInWords(std::size_t poses) { return poses == 1 ? message("1 pose") : message("{} poses", poses); }
+Message posesText(std::size_t poses) { return poses == 1 ? message("1 pose") : message("{} poses", poses); }
 
 class Assessor {
  public:
@@ -185,8 +185,8 @@ class Assessor {
   }
 
   void sayReason() {
-    const Message spread = spreadInWords();
-    const Message poses = posesInWords(poses_);
+    const Message spread = spreadText();
+    const Message poses = posesText(poses_);
     switch (result_.level) {
       case VerdictLevel::Good:
         result_.reason = message("Good: {}, {}.", spread, poses);
@@ -201,7 +201,7 @@ class Assessor {
     std::vector<Message> sentences = {result_.reason};
     if (result_.limit == Limit::Readings) {
       sentences.push_back(message("What limits it is that {} can't be used in {}: the readings are missing or no good.",
-                                  cellsInWords(result_.limiting_cells), posesToRetake()));
+                                  cellsText(result_.limiting_cells), posesToRetake()));
     } else if (result_.limit == Limit::Mould) {
       sentences.push_back(message("What limits it is how the cells lie in the mould: another pose would hardly help."));
     }
@@ -214,13 +214,13 @@ class Assessor {
   }
 
   /// "±1.2 mm, ±0.4° (95 %, worst: cell 16)".
-  [[nodiscard]] Message spreadInWords() const {
+  [[nodiscard]] Message spreadText() const {
     const Message spread = plusMinus(worst_);
     const std::vector<CellId> cells = worstCells(r_);
     if (cells.empty()) return message("{} (95 %)", spread);
     // Cells that are placed through their links are not counted in, and are less sure.
-    return measuredCells(r_) == r_.cellCount() ? message("{} (95 %, worst: {})", spread, cellsInWords(cells))
-                                               : message("{} (95 %, worst measured: {})", spread, cellsInWords(cells));
+    return measuredCells(r_) == r_.cellCount() ? message("{} (95 %, worst: {})", spread, cellsText(cells))
+                                               : message("{} (95 %, worst measured: {})", spread, cellsText(cells));
   }
 
   [[nodiscard]] Message posesToRetake() const {
@@ -254,7 +254,7 @@ class Assessor {
       return;
     }
     const Uncertainty95 then = expected();
-    const Message turn = adviceInWords(advice_, r_);
+    const Message turn = adviceText(advice_, r_);
     result_.next_action =
         worst_.orientation_rad > kGoodOrientation_rad
             ? inRow({turn, message("That should bring ±{} to about ±{}.", Degrees{worst_.orientation_rad, 1},

@@ -55,8 +55,8 @@ PortNumber portOf(const LinkEstimate& link, CellId cell) {
   return link.source.cell == cell ? link.source.port : link.target.port;
 }
 
-WorstLinkFigures worstOf(LinksOfCell links) {
-  WorstLinkFigures worst;
+WorstLinkMetrics worstOf(LinksOfCell links) {
+  WorstLinkMetrics worst;
   for (const LinkEstimate* link : links) {
     if (!link->used) continue;
     worst.quality = std::min(worst.quality.value_or(link->quality), link->quality);

@@ -20,7 +20,7 @@ class CellLinks {
   CellLinks() = default;
   explicit CellLinks(const Reconstruction& reconstruction);  ///< the reconstruction must outlive it
 
-  /// In ascending order of the cell's own ports. `index`: of the cell in order of patch and ID, as in CellFigures.
+  /// In ascending order of the cell's own ports. `index`: of the cell in order of patch and ID, as in CellMetrics.
   [[nodiscard]] LinksOfCell of(std::size_t index) const;
 
  private:
@@ -36,13 +36,13 @@ CellId neighborAcross(const LinkEstimate& link, CellId cell);
 /// The cell's own port.
 PortNumber portOf(const LinkEstimate& link, CellId cell);
 
-/// The worst of the used links of a cell: smallest class, largest residual, largest predicted deviation, as CellFigures
+/// The worst of the used links of a cell: smallest class, largest residual, largest predicted deviation, as CellMetrics
 /// has them. Absent where no used link has the figure.
-struct WorstLinkFigures {
+struct WorstLinkMetrics {
   std::optional<EdgeQuality> quality;
   std::optional<double> residual_rad;
   std::optional<double> sigma_rad;
 };
-WorstLinkFigures worstOf(LinksOfCell links);  ///< the figures of the worst link of a cell
+WorstLinkMetrics worstOf(LinksOfCell links);  ///< the figures of the worst link of a cell
 
 }  // namespace hexoderm

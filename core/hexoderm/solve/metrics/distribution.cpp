@@ -69,9 +69,9 @@ Distribution distributionOf(std::vector<double> values, std::size_t most_bins) {
 }
 
 std::vector<ValueBin> binValues(const std::vector<double>& values) {
-  constexpr double kMost = 40;
+  constexpr double kMax = 40;
   const auto count = static_cast<double>(std::max<std::size_t>(1, values.size()));
-  return distributionOf(values, static_cast<std::size_t>(std::min(kMost, 2 * std::sqrt(count)))).bins;
+  return distributionOf(values, static_cast<std::size_t>(std::min(kMax, 2 * std::sqrt(count)))).bins;
 }
 
 std::optional<std::size_t> binOf(std::span<const ValueBin> bins, double value) {

@@ -97,7 +97,7 @@ std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction
   return seen;
 }
 
-Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction) {
+Message adviceText(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};
   const CellFacing target = clearestFacing(*patch, advice.up);

@@ -30,6 +30,6 @@ std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction
 
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.
-Message adviceInWords(const PoseAdvice& advice, const Reconstruction& reconstruction);
+Message adviceText(const PoseAdvice& advice, const Reconstruction& reconstruction);
 
 }  // namespace hexoderm

@@ -20,21 +20,21 @@ struct Vote {
 /// Nothing where the reading is no gravity at all.
 std::optional<Vote> voteOf(const Accelerometer& accelerometer, const CellPlacement& cell,
                            const Eigen::Vector3d& reading_g) {
-  constexpr double kLeast_g = 0.5;
-  constexpr double kMost_g = 1.5;
+  constexpr double kMin_g = 0.5;
+  constexpr double kMax_g = 1.5;
   constexpr double kPlacedByLinks = 0.25;
   Eigen::Vector3d force_g = reading_g;
   if (cell.accel_offset_g) force_g -= *cell.accel_offset_g;
   if (cell.accel_scale && cell.accel_scale->minCoeff() > 0) force_g = force_g.cwiseQuotient(*cell.accel_scale);
   const double norm_g = force_g.norm();
-  if (!(norm_g >= kLeast_g && norm_g <= kMost_g)) return std::nullopt;
+  if (!(norm_g >= kMin_g && norm_g <= kMax_g)) return std::nullopt;
   return Vote{cell.T_o_u.R * (accelerometer.T_u_a.R * (force_g / norm_g)),
               cell.placed_by == PlacedBy::Links ? kPlacedByLinks : 1.0};
 }
 
 std::optional<Eigen::Vector3d> agreedUp(const std::vector<Vote>& votes) {
   constexpr double kFar = 15 * kDegree;
-  constexpr double kLeastAgreement = 0.7;
+  constexpr double kMinAgreement = 0.7;
   constexpr int kRounds = 3;
   if (votes.empty()) return std::nullopt;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -43,7 +43,7 @@ std::optional<Eigen::Vector3d> agreedUp(const std::vector<Vote>& votes) {
     sum += vote.weight * vote.up_o;
     total += vote.weight;
   }
-  if (sum.norm() < kLeastAgreement * total) return std::nullopt;
+  if (sum.norm() < kMinAgreement * total) return std::nullopt;
   Eigen::Vector3d up_o = sum.normalized();
   for (int round = 0; round < kRounds; ++round) {
     sum.setZero();
@@ -252,11 +252,11 @@ Message poseLabel(const Eigen::Vector3d& up_o) {
 }
 
 Message poseLabel(const Reconstruction& reconstruction, const PoseCapture& capture) {
-  constexpr double kLeast_g = 0.5;
+  constexpr double kMin_g = 0.5;
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};
   const auto sample = std::ranges::find(capture.samples, patch->origin, &GravitySample::cell);
-  if (sample == capture.samples.end() || !(sample->mean_g.norm() >= kLeast_g)) return {};
+  if (sample == capture.samples.end() || !(sample->mean_g.norm() >= kMin_g)) return {};
   return poseLabel(reconstruction.model->accelerometer.T_u_a.R * sample->mean_g.normalized());
 }
 

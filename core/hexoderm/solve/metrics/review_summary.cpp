@@ -29,11 +29,11 @@ PoseResiduals describe(std::size_t index, PoseId pose, std::vector<double> resid
 std::vector<ValueBin> countRatios(const std::vector<RankedLink>& links) {
   // Fine enough to see where 1 lies; what is far beyond shares the last bin.
   constexpr double kWidth = 0.1;
-  constexpr std::size_t kMostBins = 50;
+  constexpr std::size_t kMaxBins = 50;
   std::vector<ValueBin> bins;
   for (const RankedLink& link : links) {
     if (!link.sigma_rad) continue;
-    const double place = std::min(link.residual_rad / *link.sigma_rad / kWidth, static_cast<double>(kMostBins - 1));
+    const double place = std::min(link.residual_rad / *link.sigma_rad / kWidth, static_cast<double>(kMaxBins - 1));
     const auto bin = static_cast<std::size_t>(place);
     while (bins.size() <= bin) {
       const auto k = static_cast<double>(bins.size());

@@ -19,7 +19,7 @@ struct CellSign {
 
 /// The signs of all cells.
 struct SkinSigns {
-  std::vector<CellSign> cells;                     ///< in order of patch and ID, as in CellFigures
+  std::vector<CellSign> cells;                     ///< in order of patch and ID, as in CellMetrics
   std::vector<std::pair<LinkEnd, LinkEnd>> links;  ///< that a warning or an error is about, each once
 };
 

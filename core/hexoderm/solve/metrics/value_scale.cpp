@@ -9,8 +9,8 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kLeastForOutliers = 6;
-constexpr std::size_t kMostOutliers = 20;
+constexpr std::size_t kMinForOutliers = 6;
+constexpr std::size_t kMaxOutliers = 20;
 constexpr double kFarApart = 2;      // times the width of the others
 constexpr double kEndRounding = 40;  // ends are rounded to less than the range's width divided by this
 constexpr double kSlack = 1e-9;      // share of a step that rounding errors may take
@@ -25,11 +25,11 @@ std::vector<double> finiteValues(std::span<const std::optional<double>> values) 
 }
 
 /// How many values at an end may lie beyond the scale.
-std::size_t mostOutliers(std::size_t values) { return std::clamp<std::size_t>(values / 20, 1, kMostOutliers); }
+std::size_t mostOutliers(std::size_t values) { return std::clamp<std::size_t>(values / 20, 1, kMaxOutliers); }
 
 /// The value that as many are smaller than as may be outliers.
 double leastOfTheCrowd(std::vector<double> values) {
-  if (values.size() < kLeastForOutliers) return *std::ranges::min_element(values);
+  if (values.size() < kMinForOutliers) return *std::ranges::min_element(values);
   const auto place = values.begin() + static_cast<std::ptrdiff_t>(mostOutliers(values.size()));
   std::nth_element(values.begin(), place, values.end());
   return *place;
@@ -37,7 +37,7 @@ double leastOfTheCrowd(std::vector<double> values) {
 
 /// The largest value without those that lie far above all others, which begin at `least`.
 double largestOfTheCrowd(std::vector<double> values, double least, double least_span) {
-  if (values.size() < kLeastForOutliers) return *std::ranges::max_element(values);
+  if (values.size() < kMinForOutliers) return *std::ranges::max_element(values);
   const std::size_t outliers = mostOutliers(values.size());
   const auto end = values.begin() + static_cast<std::ptrdiff_t>(outliers + 1);
   std::partial_sort(values.begin(), end, values.end(), std::greater<>());

@@ -24,7 +24,7 @@ std::optional<double> LinkEstimate::knownSigma() const {
   return sigma_rad > 0 ? std::optional(sigma_rad) : std::nullopt;
 }
 
-bool LinkEstimate::hasFigures() const { return used || knownResidual() || knownSigma(); }
+bool LinkEstimate::hasMetrics() const { return used || knownResidual() || knownSigma(); }
 
 std::string_view qualityName(EdgeQuality quality) { return kQualities.of(quality); }
 std::optional<EdgeQuality> qualityFromName(std::string_view name) { return kQualities.find(name); }
@@ -81,7 +81,7 @@ const PatchReconstruction* largestPatch(const Reconstruction& reconstruction) {
   return largest == reconstruction.patches.end() || largest->cells.empty() ? nullptr : &*largest;
 }
 
-Message sizeInWords(const Reconstruction& reconstruction) {
+Message sizeText(const Reconstruction& reconstruction) {
   const std::size_t cells = reconstruction.cellCount();
   const std::size_t links = reconstruction.linkCount();
   const std::size_t patches = reconstruction.patches.size();

@@ -52,7 +52,7 @@ struct LinkEstimate {
   [[nodiscard]] std::optional<double> knownResidual() const;
   [[nodiscard]] std::optional<double> knownSigma() const;  ///< 1 sigma of the link's rotation where it is known, rad
   /// It was measured or solved, so that its angles mean something.
-  [[nodiscard]] bool hasFigures() const;
+  [[nodiscard]] bool hasMetrics() const;
 };
 
 /// How a cell's placement was found: by its own readings, or by its links alone.
@@ -218,7 +218,7 @@ struct Reconstruction {
 const PatchReconstruction* largestPatch(const Reconstruction& reconstruction);
 
 /// "17 cells, 16 links, 1 patch", the one way a skin's size is said.
-Message sizeInWords(const Reconstruction& reconstruction);
+Message sizeText(const Reconstruction& reconstruction);
 
 /// Flat honeycomb of all patches side by side, from the port geometry alone.
 FlatLayout computeFlatLayout(const CellModel& model, const std::vector<PatchReconstruction>& patches);

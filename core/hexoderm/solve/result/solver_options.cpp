@@ -53,7 +53,7 @@ void SolverOptions::validate() const {
     }
   };
   constexpr double kHalfTurn = 3.141592653589793;
-  inRange(class_threshold, 0, kMostClassThreshold, "class threshold");
+  inRange(class_threshold, 0, kMaxClassThreshold, "class threshold");
   inRange(max_bend_rad, 0, kHalfTurn, "largest bend");
   inRange(max_twist_rad, 0, kHalfTurn, "largest twist");
   inRange(max_yaw_rad, 0, kHalfTurn, "largest yaw");

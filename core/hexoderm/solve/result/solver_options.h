@@ -28,7 +28,7 @@ enum class SupportAxes { Auto, On, Off };
 enum class LinkWeights { Paper, Residual };
 
 /// SolverOptions::class_threshold is above 0 and at most this.
-inline constexpr double kMostClassThreshold = 1000;
+inline constexpr double kMaxClassThreshold = 1000;
 
 /// How a session is solved; the defaults suit every skin.
 struct SolverOptions {

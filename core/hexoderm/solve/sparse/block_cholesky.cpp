@@ -99,13 +99,13 @@ double workOf(const Supernode& node) {
 }
 
 /// So many products pay for a thread.
-constexpr double kLeastWork = 1e7;
+constexpr double kMinWork = 1e7;
 
 /// C -= A A^T, the lower triangle of as many columns, in strips of columns side by side.
 void subtractOwnOuter(const FrontKernels& kernels, double* c, Index ldc, const double* a, Index lda, Index rows,
                       Index columns, Index depth) {
-  constexpr Index kStrip = 2 * FrontKernels::kMostPivotsAtOnce;
-  if (static_cast<double>(rows * columns) * static_cast<double>(depth) < kLeastWork) {
+  constexpr Index kStrip = 2 * FrontKernels::kMaxPivotsAtOnce;
+  if (static_cast<double>(rows * columns) * static_cast<double>(depth) < kMinWork) {
     return kernels.subtractOuter(c, ldc, a, lda, a, lda, rows, columns, depth);
   }
   inRanges(static_cast<std::size_t>(columns), kStrip, [&](std::size_t begin, std::size_t end) {
@@ -118,7 +118,7 @@ void subtractOwnOuter(const FrontKernels& kernels, double* c, Index ldc, const d
 /// A panel becomes columns of the factor; a wide one some at a time, and what they take from those behind them side by
 /// side.
 bool factorizePanel(const FrontKernels& kernels, double* L, Index stride, Index front, Index pivots) {
-  constexpr Index kAtOnce = FrontKernels::kMostPivotsAtOnce;
+  constexpr Index kAtOnce = FrontKernels::kMaxPivotsAtOnce;
   constexpr Index kWide = 6 * kAtOnce;
   if (pivots <= kWide) return kernels.factorize(L, stride, front, pivots);
   for (Index left = 0; left < pivots; left += kAtOnce) {
@@ -136,14 +136,14 @@ bool factorizePanel(const FrontKernels& kernels, double* L, Index stride, Index 
 /// that are known then. Strips of rows side by side.
 void invertFront(const FrontKernels& kernels, double* Z, const double* L, Index stride, Index front, Index pivots,
                  double* workspace) {
-  constexpr Index kAtOnce = FrontKernels::kMostPivotsAtOnce;
+  constexpr Index kAtOnce = FrontKernels::kMaxPivotsAtOnce;
   constexpr Index kStrip = 4 * kAtOnce;
   for (Index left = (pivots - 1) / kAtOnce * kAtOnce; left >= 0; left -= kAtOnce) {
     const Index right = std::min(pivots, left + kAtOnce);
     const Index below = front - right;
     kernels.beginInverse(Z, stride, L, stride, front, left, right, workspace);
     if (below == 0) continue;
-    if (static_cast<double>(below * below) * static_cast<double>(right - left) < kLeastWork) {
+    if (static_cast<double>(below * below) * static_cast<double>(right - left) < kMinWork) {
       kernels.inverseBelow(Z, stride, front, left, right, right, front, workspace);
     } else {
       inRanges(static_cast<std::size_t>(below), kStrip, [&](std::size_t begin, std::size_t end) {
@@ -163,7 +163,7 @@ std::size_t subtreesAtOnce() {
 
 }  // namespace
 
-RightSides::RightSides(Index rows, Index columns)
+RightHandSides::RightHandSides(Index rows, Index columns)
     : rows_(rows),
       columns_(columns),
       width_((columns + 3) / 4 * 4),
@@ -176,7 +176,7 @@ RightSides::RightSides(Index rows, Index columns)
   std::fill(numbers_.end() - 2 * kBlock, numbers_.end(), 0.0);
 }
 
-Matrix6d RightSides::product(std::size_t a, std::size_t b, const FrontKernels& kernels) const {
+Matrix6d RightHandSides::product(std::size_t a, std::size_t b, const FrontKernels& kernels) const {
   Matrix6d product = Matrix6d::Zero();
   const double* const rows = numbers_.data();
   kernels.subtractRows(product.data(), rows + numbersIn(a) * width_, rows + numbersIn(b) * width_, width_);
@@ -184,8 +184,8 @@ Matrix6d RightSides::product(std::size_t a, std::size_t b, const FrontKernels& k
 }
 
 /// Some of the columns, from a multiple of four on.
-RightSides RightSides::columns(Index begin, Index count) const {
-  RightSides some(rows_, count);
+RightHandSides RightHandSides::columns(Index begin, Index count) const {
+  RightHandSides some(rows_, count);
   for (Index row = 0; row < rows_; ++row) {
     std::copy_n(numbers_.data() + row * width_ + begin, std::min(some.width_, width_ - begin),
                 some.numbers_.data() + row * some.width_);
@@ -193,7 +193,7 @@ RightSides RightSides::columns(Index begin, Index count) const {
   return some;
 }
 
-void RightSides::putColumns(Index begin, const RightSides& some) {
+void RightHandSides::putColumns(Index begin, const RightHandSides& some) {
   for (Index row = 0; row < rows_; ++row) {
     std::copy_n(some.numbers_.data() + row * some.width_, std::min(some.width_, width_ - begin),
                 numbers_.data() + row * width_ + begin);
@@ -202,25 +202,25 @@ void RightSides::putColumns(Index begin, const RightSides& some) {
 
 /// Calls use(B), or with groups of its columns side by side, where that pays.
 template <class Use>
-void RightSides::inColumns(const Use& use) {
+void RightHandSides::inColumns(const Use& use) {
   constexpr Index kSideBySide = 4;
-  constexpr Index kLeastRows = 10000;
+  constexpr Index kMinRows = 10000;
   // Each group reads the whole factor.
   const std::size_t groups =
-      rows_ < kLeastRows ? 1 : std::min(1 + freeCores(), static_cast<std::size_t>(width_ / kSideBySide));
+      rows_ < kMinRows ? 1 : std::min(1 + freeCores(), static_cast<std::size_t>(width_ / kSideBySide));
   if (groups <= 1) return use(*this);
   const auto begin_of = [&](std::size_t group) {
     return kSideBySide * static_cast<Index>(static_cast<std::size_t>(width_ / kSideBySide) * group / groups);
   };
   inParallel(groups, [&](std::size_t group) {
     const Index begin = begin_of(group);
-    RightSides some = columns(begin, std::min(begin_of(group + 1), columns_) - begin);
+    RightHandSides some = columns(begin, std::min(begin_of(group + 1), columns_) - begin);
     use(some);
     putColumns(begin, some);
   });
 }
 
-MatrixXd RightSides::gram(const FrontKernels& kernels) const {
+MatrixXd RightHandSides::gram(const FrontKernels& kernels) const {
   const Index stride = FrontKernels::paddedRows(width_);
   MatrixXd product = MatrixXd::Zero(stride, (columns_ + kBlock - 1) / kBlock * kBlock);
   kernels.subtractOuter(product.data(), stride, numbers_.data(), width_, numbers_.data(), width_, width_, columns_,
@@ -274,7 +274,7 @@ void BlockCholesky::findSubtrees() {
     total += work[s];
     for (const std::size_t child : node.children) work[s] += work[child];
   }
-  const double most = std::max(2 * kLeastWork, kShare * total);
+  const double most = std::max(2 * kMinWork, kShare * total);
   for (std::size_t s = 0; s < supernodes.size(); ++s) {
     const bool has_parent = !supernodes[s].rows.empty();
     if (work[s] > most || (has_parent && work[supernodes[s].parent] <= most)) continue;
@@ -358,9 +358,9 @@ bool BlockCholesky::factorize(std::span<const Matrix6d> diagonal, std::span<cons
   return factorized_;
 }
 
-RightSides BlockCholesky::ordered(const RightSides::RowMajor& B) const {
+RightHandSides BlockCholesky::ordered(const RightHandSides::RowMajor& B) const {
   assert(B.rows() == numbersIn(size()));
-  RightSides rows(B.rows(), B.cols());
+  RightHandSides rows(B.rows(), B.cols());
   auto matrix = rows.matrix();
   for (std::size_t k = 0; k < size(); ++k) {
     matrix.middleRows<kBlock>(numbersIn(k)) = B.middleRows<kBlock>(numbersIn(pattern_->order[k]));
@@ -368,7 +368,7 @@ RightSides BlockCholesky::ordered(const RightSides::RowMajor& B) const {
   return rows;
 }
 
-RightSides BlockCholesky::inOwnOrder(RightSides B) const {
+RightHandSides BlockCholesky::inOwnOrder(RightHandSides B) const {
   const Index block = kBlock * B.width_;
   const auto rowsAt = [&](std::size_t place) { return B.numbers_.begin() + static_cast<Index>(place) * block; };
   std::vector<double> moving(static_cast<std::size_t>(block));
@@ -387,9 +387,9 @@ RightSides BlockCholesky::inOwnOrder(RightSides B) const {
   return B;
 }
 
-void BlockCholesky::solveLower(RightSides& B) const {
+void BlockCholesky::solveLower(RightHandSides& B) const {
   assert(factorized_ && B.rows_ == numbersIn(size()));
-  B.inColumns([this](RightSides& columns) {
+  B.inColumns([this](RightHandSides& columns) {
     for (std::size_t s = 0; s < pattern_->supernodes.size(); ++s) {
       const Supernode& node = pattern_->supernodes[s];
       kernels_.substituteForward(panel(s), panelStride(node), pivotsOf(node), node.first, node.rows.data(),
@@ -398,9 +398,9 @@ void BlockCholesky::solveLower(RightSides& B) const {
   });
 }
 
-void BlockCholesky::solveUpper(RightSides& B) const {
+void BlockCholesky::solveUpper(RightHandSides& B) const {
   assert(factorized_ && B.rows_ == numbersIn(size()));
-  B.inColumns([this](RightSides& columns) {
+  B.inColumns([this](RightHandSides& columns) {
     std::vector<double> workspace(most_rows_ * static_cast<std::size_t>(columns.width_));
     for (std::size_t s = pattern_->supernodes.size(); s-- > 0;) {
       const Supernode& node = pattern_->supernodes[s];
@@ -451,7 +451,7 @@ void BlockCholesky::solve(MatrixXd& B) const {
   constexpr Index kAtATime = 48;  // columns that stay in the cache
   for (Index begin = 0; begin < B.cols(); begin += kAtATime) {
     const Index count = std::min(kAtATime, B.cols() - begin);
-    RightSides rows = ordered(B.middleCols(begin, count));
+    RightHandSides rows = ordered(B.middleCols(begin, count));
     solveLower(rows);
     solveUpper(rows);
     B.middleCols(begin, count) = inOwnOrder(std::move(rows)).matrix();

@@ -13,15 +13,15 @@
 namespace hexoderm {
 
 /// Right-hand sides as a factor takes them: row by row.
-class RightSides {
+class RightHandSides {
  public:
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   using View = Eigen::Map<RowMajor, 0, Eigen::OuterStride<>>;
   using ConstView = Eigen::Map<const RowMajor, 0, Eigen::OuterStride<>>;
 
-  RightSides() = default;
+  RightHandSides() = default;
   /// With anything in it.
-  RightSides(Eigen::Index rows, Eigen::Index columns);
+  RightHandSides(Eigen::Index rows, Eigen::Index columns);
   [[nodiscard]] View matrix() { return {numbers_.data(), rows_, columns_, Eigen::OuterStride<>(width_)}; }
   [[nodiscard]] ConstView matrix() const { return {numbers_.data(), rows_, columns_, Eigen::OuterStride<>(width_)}; }
   /// Of six rows each, from 6 a and 6 b on, the first times the second's transpose.
@@ -31,8 +31,8 @@ class RightSides {
 
  private:
   friend class BlockCholesky;
-  [[nodiscard]] RightSides columns(Eigen::Index begin, Eigen::Index count) const;
-  void putColumns(Eigen::Index begin, const RightSides& some);
+  [[nodiscard]] RightHandSides columns(Eigen::Index begin, Eigen::Index count) const;
+  void putColumns(Eigen::Index begin, const RightHandSides& some);
   template <class Use>
   void inColumns(const Use& use);
 
@@ -84,16 +84,16 @@ class BlockCholesky {
   void solve(Eigen::MatrixXd& B) const;
   /// The two halves of solve(), L^-1 B and from there L^-T B, on rows in the order of elimination. So A^-1 = (L^-1)^T
   /// (L^-1) in products of solveLower()'s results.
-  [[nodiscard]] RightSides ordered(const RightSides::RowMajor& B) const;
-  void solveLower(RightSides& B) const;
-  void solveUpper(RightSides& B) const;
+  [[nodiscard]] RightHandSides ordered(const RightHandSides::RowMajor& B) const;
+  void solveLower(RightHandSides& B) const;
+  void solveUpper(RightHandSides& B) const;
   /// The same for one right-hand side, which takes no more time than it takes to read the factor.
   [[nodiscard]] Eigen::VectorXd orderedVector(const Eigen::VectorXd& b) const;
   void solveLower(Eigen::VectorXd& b) const;
   void solveUpper(Eigen::VectorXd& b) const;
   [[nodiscard]] Eigen::VectorXd vectorInOwnOrder(const Eigen::VectorXd& b) const;
   /// Rows in their own order again; in the same memory.
-  [[nodiscard]] RightSides inOwnOrder(RightSides B) const;
+  [[nodiscard]] RightHandSides inOwnOrder(RightHandSides B) const;
 
   /// About twice the work of factorize(). The inverse takes the factor's place, so that it needs no more memory than
   /// for one dense front per thread: another factorize() is needed afterwards.

@@ -21,11 +21,11 @@ struct FrontKernels {
   void (*subtractOuter)(double* c, Size ldc, const double* a, Size lda, const double* b, Size ldb, Size rows,
                         Size columns, Size depth);
   /// Z, the inverse of the whole matrix at the `rows` rows of a front: both triangles of what belongs to the rows from
-  /// `right` on are known, and the pivots from `left` to `right`, kMostPivotsAtOnce at most, follow from the panel L.
+  /// `right` on are known, and the pivots from `left` to `right`, kMaxPivotsAtOnce at most, follow from the panel L.
   /// First what they need among themselves. `workspace`, for all three: inverseWorkspace(rows, right - left) numbers.
   void (*beginInverse)(double* z, Size ldz, const double* panel, Size ld, Size rows, Size left, Size right,
                        double* workspace);
-  /// Then their rows from `begin` to `end`, in any order and side by side: at or after `right`, and kMostPivotsAtOnce
+  /// Then their rows from `begin` to `end`, in any order and side by side: at or after `right`, and kMaxPivotsAtOnce
   /// or a multiple of that after it, or the last.
   void (*inverseBelow)(double* z, Size ldz, Size rows, Size left, Size right, Size begin, Size end,
                        const double* workspace);
@@ -48,10 +48,10 @@ struct FrontKernels {
 
   static constexpr Size paddedRows(Size rows) { return rows + 2; }
   static constexpr Size inverseWorkspace(Size rows, Size pivots) {
-    return paddedRows(rows) * (pivots < kMostPivotsAtOnce ? pivots : kMostPivotsAtOnce);
+    return paddedRows(rows) * (pivots < kMaxPivotsAtOnce ? pivots : kMaxPivotsAtOnce);
   }
   /// Wide panels are worked on so many columns at a time.
-  static constexpr Size kMostPivotsAtOnce = 48;
+  static constexpr Size kMaxPivotsAtOnce = 48;
 };
 
 /// The same on any machine.

@@ -9,7 +9,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::size_t kMostPorts = 16;  // of a model whose pairs are worth a table
+constexpr std::size_t kMaxPorts = 16;  // of a model whose pairs are worth a table
 
 /// Up to kLanes links, whose cells measured in equally many poses together, with their readings side by side as the
 /// kernel wants them: value k of the link in lane l is at [kLanes * k + l]. Lanes that are over repeat the first.
@@ -169,7 +169,7 @@ class EdgeBatches {
 std::vector<std::size_t> estimateUsualEdges(const SkinLinks& skin, std::span<const std::size_t> links,
                                             std::vector<EdgeRotation>& edges,
                                             std::vector<std::optional<double>>& pose_residuals, EdgeKernel kernel) {
-  if (skin.model().ports.size() > kMostPorts || skin.options().support_axes == SupportAxes::On) {
+  if (skin.model().ports.size() > kMaxPorts || skin.options().support_axes == SupportAxes::On) {
     return {links.begin(), links.end()};
   }
   return EdgeBatches(skin, edges, pose_residuals, kernel).estimate(links);

@@ -1,5 +1,5 @@
 #define HEXODERM_LANES 2
-#include "hexoderm/solve/tree/edge_kernel_text.h"
+#include "hexoderm/solve/tree/edge_kernel.inl"
 
 namespace hexoderm {
 

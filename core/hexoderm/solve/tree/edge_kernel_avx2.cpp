@@ -1,7 +1,7 @@
 // Compiled with -mavx2 and -mfma where there is such a thing: nothing but the kernel may be in here.
 
 #define HEXODERM_LANES 4
-#include "hexoderm/solve/tree/edge_kernel_text.h"
+#include "hexoderm/solve/tree/edge_kernel.inl"
 
 namespace hexoderm {
 

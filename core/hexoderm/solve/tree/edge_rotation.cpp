@@ -19,7 +19,7 @@ constexpr double kUniformSigma = kPi / 1.7320508075688772;  // sigma of an unkno
 constexpr double kShortestCentred_g = 0.05;                 // a shorter difference has no direction worth comparing
 // Keeps the normal equations invertible without support axes.
 constexpr double kUnsupportedInformation = 1e-9;
-constexpr double kLeastVariance_g2 = 1e-18;  // readings without noise weigh alike
+constexpr double kMinVariance_g2 = 1e-18;  // readings without noise weigh alike
 
 /// The gap's axes in the source frame: outward, z x outward, z. Seen from the target the link comes in, hence the
 /// nominal alignment: its columns in the target frame are R_nom^T times these.
@@ -114,7 +114,7 @@ class EdgeSolver {
             readings_.variance_g2[static_cast<std::size_t>(p)] +
             2 * (offset * offset + a.scale_sigma * a.scale_sigma + a.cross_axis_sigma * a.cross_axis_sigma);
         // A short window says less than a long one.
-        const double weight = 1 / std::max(per_axis, kLeastVariance_g2);
+        const double weight = 1 / std::max(per_axis, kMinVariance_g2);
         sum += weight * angle * angle;
         expected += weight * 2 * per_axis / (length * length);
         weights += weight;
@@ -181,7 +181,7 @@ EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions&
   kernel.support = kUnsupportedInformation;
   kernel.prior_variance = kUniformSigma * kUniformSigma;
   kernel.shortest_g = kShortestCentred_g;
-  kernel.least_variance_g2 = kLeastVariance_g2;
+  kernel.least_variance_g2 = kMinVariance_g2;
   kernel.centre = options.centring != Centring::Off;
   kernel.always_centre = options.centring == Centring::On;
   return kernel;

@@ -21,8 +21,8 @@ SkinGraph makeGraph(const SessionSnapshot& snapshot, std::vector<Finding>& findi
 double weightOf(const EdgeRotation& edge, LinkWeights weights) {
   if (weights == LinkWeights::Paper) return paperWeight(edge.quality);
   // In degrees, so that it reads like the figures beside it; never so small that a path of many links costs nothing.
-  constexpr double kLeast = 0.1;
-  return std::max(kLeast, toDegrees(std::hypot(std::min(kPi, edge.deviation_rad), edge.residual_rad)));
+  constexpr double kMin = 0.1;
+  return std::max(kMin, toDegrees(std::hypot(std::min(kPi, edge.deviation_rad), edge.residual_rad)));
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST_F(HistoryPresenterTest, TheMenuOfRecentFilesIsClearedFromWithin) {
 TEST_F(HistoryPresenterTest, KeepsTenRecentFilesAtMost) {
   for (int k = 0; k < 14; ++k) window_->recentFiles().note(pathTo(QStringLiteral("%1.hexo").arg(k)), k);
   window_->recentFiles().note(pathTo("9.hexo"), -1);
-  ASSERT_EQ(window_->recentFiles().files().size(), RecentFiles::kMost);
+  ASSERT_EQ(window_->recentFiles().files().size(), RecentFiles::kMax);
   EXPECT_EQ(window_->recentFiles().files()[0].title, "9.hexo");
   EXPECT_EQ(window_->recentFiles().files()[0].poses, 9) << "what was known stays";
 }

@@ -45,7 +45,7 @@ Reconstruction awkwardResult() {
   result.assessment.reason =
       message("Usable: {}, {}.",
               message("{} (95 %, worst: {})", message("±{}, ±{}", Millimetres{1.2e-3}, Degrees{0.4 * kDegree}),
-                      cellsInWords({CellId(3)})),
+                      cellsText({CellId(3)})),
               message("{} poses", 3));
   result.assessment.next_action = message("Look at the findings, then export.");
   result.assessment.position_95_m = 0.0012;
@@ -169,8 +169,8 @@ TEST(Report, SaysWhatWasVerifiedAndWhatWasNot) {
   content.verify.loops = std::vector<FoundLoop>();
   content.verify.surfaces = {checkSurface(content.reconstruction->patches[0], std::nullopt)};
   const QString text = textOf(reportHtml(content));
-  EXPECT_TRUE(text.contains(loopsInWords({}, 1).text));
-  EXPECT_TRUE(text.contains(surfaceInWords(content.verify.surfaces->front(), 0.0012).text));
+  EXPECT_TRUE(text.contains(loopsText({}, 1).text));
+  EXPECT_TRUE(text.contains(surfaceText(content.verify.surfaces->front(), 0.0012).text));
   EXPECT_FALSE(text.contains(QStringLiteral("Not made for this report: a pose that was held out, closed loops")));
 }
 
@@ -196,7 +196,7 @@ int pagesOf(const QByteArray& pdf) {
 }
 
 /// What is drawn on each page, from the layout itself.
-std::vector<QString> pagesInWords(const ReportContent& content) {
+std::vector<QString> pagesText(const ReportContent& content) {
   std::vector<QString> pages;
   for (const auto& page : pdfTexts(ReportPage(content).document())) pages.push_back(page.join(QLatin1Char('\n')));
   return pages;
@@ -208,7 +208,7 @@ TEST(Report, NumbersItsPagesAndSaysOnEachWhetherItIsOfASimulation) {
   ReportContent content = contentOf(result);
   for (const bool simulated : {true, false}) {
     content.simulated = simulated;
-    const std::vector<QString> pages = pagesInWords(content);
+    const std::vector<QString> pages = pagesText(content);
     ASSERT_GE(pages.size(), 4U);
     EXPECT_EQ(static_cast<int>(pages.size()), pagesOf(reportPdf(content)));
     for (std::size_t k = 0; k < pages.size(); ++k) {
@@ -230,7 +230,7 @@ TEST(Report, BreaksItsTablesWell) {
     ReportContent content = contentOf(result);
     content.graph.reset();
     int seen = 0;
-    for (const QString& page : pagesInWords(content)) {
+    for (const QString& page : pagesText(content)) {
       const int rows = page.count(QStringLiteral("Finding number "));
       seen += rows;
       EXPECT_NE(rows, 1) << "a row is alone, with " << findings << " findings";

@@ -132,7 +132,7 @@ TEST(SkinWireCodec, NamesFieldsThatItDoesNotKnowInMessagesThatItUnderstands) {
   const Decoded line = decodeLine(R"({"status": {"text": "x", "explorng": true}})");
   ASSERT_EQ(line.outcome, DecodeOutcome::Understood);
   ASSERT_EQ(line.offences.size(), 1U);
-  EXPECT_EQ(line.offences[0].kind, OffenceKind::UnknownField);
+  EXPECT_EQ(line.offences[0].kind, ProtocolViolationKind::UnknownField);
   EXPECT_THAT(line.reason().english(), HasSubstr("status.explorng: there is no such field; did you mean exploring?"));
   EXPECT_THAT(line.offences[0].excerpt, HasSubstr(R"({"status": {"text")"));
   const Decoded body = decodeBody(bodyOf(4, {0x0A, 0x01, 'x', 0xC2, 0x3E, 0x02, 'h', 'i'}));
@@ -144,11 +144,11 @@ TEST(SkinWireCodec, NamesFieldsThatItDoesNotKnowInMessagesThatItUnderstands) {
 TEST(SkinWireCodec, TellsOtherDialectsAndChecksumsFromNoise) {
   const auto kindOf = [](const Bytes& body) { return decodeBody(body).offences.at(0).kind; };
   const std::string line = encodeLine(helloMessage());
-  EXPECT_EQ(kindOf(Bytes(line.begin(), line.end())), OffenceKind::WrongDialect);
+  EXPECT_EQ(kindOf(Bytes(line.begin(), line.end())), ProtocolViolationKind::WrongDialect);
   const Bytes good = encodeBody(helloMessage());
   Bytes with_length = {static_cast<std::uint8_t>(good.size()), 0, 0, 0};
   with_length.insert(with_length.end(), good.begin(), good.end());
-  EXPECT_EQ(kindOf(with_length), OffenceKind::WrongDialect);
+  EXPECT_EQ(kindOf(with_length), ProtocolViolationKind::WrongDialect);
   Bytes swapped = good;
   std::reverse(swapped.end() - 4, swapped.end());
   EXPECT_THAT(decodeBody(swapped).reason().english(), HasSubstr("big-endian"));
@@ -160,7 +160,7 @@ TEST(SkinWireCodec, TellsOtherDialectsAndChecksumsFromNoise) {
 TEST(SkinWireCodec, ExcerptsAreShortAndPrintable) {
   const Decoded decoded = decodeLine("\x1b[31m" + std::string(100'000, '\x07'));
   ASSERT_FALSE(decoded.offences.empty());
-  for (const Offence& offence : decoded.offences) {
+  for (const ProtocolViolation& offence : decoded.offences) {
     EXPECT_LE(offence.excerpt.size(), 83U);
     EXPECT_EQ(offence.excerpt.substr(0, 12), "\\x1b[31m\\x07");
   }

@@ -29,7 +29,7 @@ TEST(DeviceSide, RandomMessagesAreDecodedToTheSameValuesAndWrongOnesNotSent) {
     const Message message = random.device();
     const auto [framing, decoder] = kFramings.at(random.upTo(2));
     const Bytes frame = framed(message, framing);
-    const Complaint why = complaint(message);
+    const ValidationError why = complaint(message);
     const bool is_too_long = why.empty() && framing == SKINWIRE_DATAGRAM && encodeBody(message).size() > kMaxDatagram;
     ASSERT_EQ(frame.empty(), !why.empty() || is_too_long) << k << ", kind " << message.index() << ": " << why.reason;
     ++(frame.empty() ? refused : sent);

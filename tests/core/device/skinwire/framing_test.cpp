@@ -129,14 +129,14 @@ TEST(FrameDecoder, RecognizesTheFramingOfASerialPortOnTcp) {
     SCOPED_TRACE(begin);
     FrameDecoder decoder(std::nullopt);
     decoder.feed(ByteView(stream).subspan(begin));
-    std::optional<Offence> offence;
+    std::optional<ProtocolViolation> offence;
     while (const auto decoded = decoder.next()) {
       if (!decoded->offences.empty()) offence = decoded->offences.front();
     }
     if (const auto waiting = decoder.complaintOfWaiting()) offence = waiting;
     EXPECT_FALSE(offence && offence->reason.english().find("big-endian") != std::string::npos);
     if (!offence || offence->reason.english().find("serial port (COBS)") == std::string::npos) continue;
-    EXPECT_EQ(offence->kind, OffenceKind::WrongDialect);
+    EXPECT_EQ(offence->kind, ProtocolViolationKind::WrongDialect);
     ++said;
   }
   EXPECT_GT(said, (stream.size() - 60) * 9 / 10);
@@ -201,11 +201,11 @@ TEST(FrameDecoder, NamesWhatWouldWaitForEver) {
   for (const std::string& filling : {std::string(), std::string("\r"), std::string(" "), std::string(1, '\0')}) {
     const auto complaint = complaintOf(std::nullopt, line + filling + line);
     ASSERT_TRUE(complaint) << filling;
-    EXPECT_EQ(complaint->kind, OffenceKind::NoLineFeed);
+    EXPECT_EQ(complaint->kind, ProtocolViolationKind::NoLineFeed);
   }
   const auto on_serial = complaintOf(Framing::Cobs, line + "\n");
   ASSERT_TRUE(on_serial);
-  EXPECT_EQ(on_serial->kind, OffenceKind::WrongDialect);
+  EXPECT_EQ(on_serial->kind, ProtocolViolationKind::WrongDialect);
 }
 
 TEST(FrameDecoder, ABeginningInNeitherDialectEndsTheStream) {

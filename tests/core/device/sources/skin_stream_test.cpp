@@ -258,8 +258,8 @@ TEST_F(SkinStreamTest, TheRateIsJudgedInWhateverOrderCellsComeIfNoneIsLost) {
       if (!is_numbered) samples.sequence.reset();
       take(samples);
     }
-    const std::vector<Offence> offences = status().offences;
-    return std::ranges::find(offences, OffenceKind::WrongValue, &Offence::kind) != offences.end();
+    const std::vector<ProtocolViolation> offences = status().offences;
+    return std::ranges::find(offences, ProtocolViolationKind::WrongValue, &ProtocolViolation::kind) != offences.end();
   };
   EXPECT_FALSE(isRateWrong(kStated_us, true));
   EXPECT_FALSE(isRateWrong(2 * kStated_us, false)) << "every other one may have been lost";
@@ -321,7 +321,7 @@ TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
   EXPECT_THAT(stream.lastRejection().english(), HasSubstr("SkinWire 3, this program SkinWire 1"));
 }
 
-TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoOffence) {
+TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoViolation) {
   stream.forgiveFirstPiece();
   take(skinwire::decodeBody(skinwire::Bytes(20, 7)));  // a serial port was opened within a frame
   take(oneSample(1, 1000, 0));                         // it was already sending
@@ -335,7 +335,7 @@ TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoOffence) {
   EXPECT_THAT(status().offences, testing::IsEmpty());
 }
 
-TEST_F(SkinStreamTest, OffencesAreToldOnceAtOnceAndThenCounted) {
+TEST_F(SkinStreamTest, ProtocolViolationsAreToldOnceAtOnceAndThenCounted) {
   describe();
   take(oneSample(1, 1000));
   stream.reportCounters({});
@@ -348,7 +348,7 @@ TEST_F(SkinStreamTest, OffencesAreToldOnceAtOnceAndThenCounted) {
   EXPECT_EQ(listener.delivered().statuses.size(), before + 1);
   const SourceStatus all = status();
   ASSERT_EQ(all.offences.size(), 1U);
-  EXPECT_EQ(all.offences[0].kind, OffenceKind::UnknownCell);
+  EXPECT_EQ(all.offences[0].kind, ProtocolViolationKind::UnknownCell);
   EXPECT_EQ(all.offences[0].count, 2U);
 }
 
@@ -362,7 +362,7 @@ TEST_F(SkinStreamTest, ANewerDeviceMaySayWhatIsNotKnownYet) {
   take(skinwire::helloMessage());
   take(skinwire::decodeLine(later));
   ASSERT_EQ(status().offences.size(), 1U);
-  EXPECT_EQ(status().offences[0].kind, OffenceKind::UnknownMessage);
+  EXPECT_EQ(status().offences[0].kind, ProtocolViolationKind::UnknownMessage);
 }
 
 TEST_F(SkinStreamTest, ADeviceThatNeverDescribesItselfIsNamed) {
@@ -379,7 +379,7 @@ TEST_F(SkinStreamTest, ADeviceThatNeverDescribesItselfIsNamed) {
   stream.reportCounters(start + std::chrono::seconds(11));
   stream.reportCounters(start + std::chrono::seconds(14));
   ASSERT_EQ(status().offences.size(), 1U);
-  EXPECT_EQ(status().offences[0].kind, OffenceKind::NotDescribed);
+  EXPECT_EQ(status().offences[0].kind, ProtocolViolationKind::NotDescribed);
 }
 
 TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {

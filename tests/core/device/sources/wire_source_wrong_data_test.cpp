@@ -68,10 +68,10 @@ TEST(WireSource, DatagramsLostTwiceReorderedBrokenAndTooLongAreCounted) {
 }
 
 /// The reason of an offence, once it has these words.
-bool saysOffence(CollectingListener& listener, OffenceKind kind, const std::string& words) {
+bool saysViolation(CollectingListener& listener, ProtocolViolationKind kind, const std::string& words) {
   return listener.waitFor([&](const Delivered& d) {
     return std::ranges::any_of(d.statuses, [&](const SourceStatus& status) {
-      return std::ranges::any_of(status.offences, [&](const Offence& offence) {
+      return std::ranges::any_of(status.offences, [&](const ProtocolViolation& offence) {
         return offence.kind == kind && offence.reason.english().find(words) != std::string::npos;
       });
     });
@@ -87,7 +87,7 @@ TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
     auto [device, listener, source] = started<SerialDevice>(options, "?baud=9600");
     device.receive();
     for (int k = 0; k < 20; ++k) device.sendBytes(bytes);
-    EXPECT_TRUE(saysOffence(listener, OffenceKind::BrokenFrame, "is the baud rate right? now 9600"));
+    EXPECT_TRUE(saysViolation(listener, ProtocolViolationKind::BrokenFrame, "is the baud rate right? now 9600"));
     EXPECT_TRUE(listener.waitFor(status(SourceState::Silent, "is the baud rate right? now 9600")));
     source->stop();
   }
@@ -99,8 +99,8 @@ TEST(WireSource, ASerialDeviceThatDoesNotHearIsAskedForItsRx) {
   auto [device, listener, source] = started<SerialDevice>(options);
   device.receive();
   device.send(skinwire::rawSamples(0, 1000));
-  EXPECT_TRUE(saysOffence(listener, OffenceKind::NotDescribed, "did not answer Describe"));
-  EXPECT_TRUE(saysOffence(listener, OffenceKind::NotDescribed, "is its RX connected?"));
+  EXPECT_TRUE(saysViolation(listener, ProtocolViolationKind::NotDescribed, "did not answer Describe"));
+  EXPECT_TRUE(saysViolation(listener, ProtocolViolationKind::NotDescribed, "is its RX connected?"));
   source->stop();
 }
 

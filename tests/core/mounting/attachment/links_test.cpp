@@ -306,7 +306,7 @@ TEST(Links, PosesAndLinksWithoutAnglesAreLeftOut) {
   EXPECT_THAT(none.summary.english(), HasSubstr("No pose has joint angles"));
 }
 
-TEST(Links, BadInputIsRefusedInWords) {
+TEST(Links, BadInputIsRefusedText) {
   const DrawnArm arm(DrawnArmOptions{});
   LinksOptions options;
   options.chosen[CellId(100)] = "l33";

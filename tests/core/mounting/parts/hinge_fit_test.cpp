@@ -11,13 +11,13 @@
 namespace hexoderm {
 namespace {
 
-constexpr double kLeastProbable = 1e-3;
+constexpr double kMinProbable = 1e-3;
 
 /// Of what two bodies see, drawn for b first: inside a call the order would be the compiler's choice.
 Hinge fitDrawn(GravityDraw& draw, const std::vector<Eigen::Vector3d>& up_a, const std::vector<Eigen::Vector3d>& up_b,
                const GravityErrors& errors = {}, double scale = 1) {
   const GravitySeen b = draw.see(up_b, errors, scale);
-  return fitHinge(draw.see(up_a, errors, scale), b, kLeastProbable);
+  return fitHinge(draw.see(up_a, errors, scale), b, kMinProbable);
 }
 
 /// Angle between an axis and the true one, either sign.
@@ -88,8 +88,8 @@ TEST(Hinge, IsTheSameFromBothSides) {
   const DrawnHinge truth = drawHinge(draw, 8, 0.7);
   const GravitySeen a = draw.see(truth.up_a, {});
   const GravitySeen b = draw.see(truth.up_b, {});
-  const Hinge hinge = fitHinge(a, b, kLeastProbable);
-  const Hinge back = fitHinge(b, a, kLeastProbable);
+  const Hinge hinge = fitHinge(a, b, kMinProbable);
+  const Hinge back = fitHinge(b, a, kMinProbable);
   ASSERT_EQ(hinge.knowledge, HingeKnowledge::Found) << hinge.why;
   ASSERT_EQ(back.knowledge, HingeKnowledge::Found) << back.why;
   EXPECT_LE(missOf(hinge.a.u, back.b.u), 1e-3);

@@ -35,8 +35,8 @@ double extentAlong(const LaidPatch& laid, Eigen::Index axis) {
 }
 
 TEST(Freedom, AxesAreNamed) {
-  EXPECT_EQ(axisInWords({0, 0.05, -1}).english(), "the link's z axis");
-  EXPECT_EQ(axisInWords({0.6, 0.8, 0}).english(), "the direction (0.60, 0.80, 0.00) of the link");
+  EXPECT_EQ(axisText({0, 0.05, -1}).english(), "the link's z axis");
+  EXPECT_EQ(axisText({0.6, 0.8, 0}).english(), "the direction (0.60, 0.80, 0.00) of the link");
 }
 
 // Turned any way, the patch can slide along a cylinder and turn around it.

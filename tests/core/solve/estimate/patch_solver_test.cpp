@@ -56,10 +56,10 @@ TEST_F(PatchSolverTest, NoMisfitIsMoreThanItsQuickBound) {
 
 TEST(PatchSolver, AnEstimateThatHasNotConvergedIsAFinding) {
   std::vector<Finding> findings;
-  JointSolution solution;
+  GlobalSolution solution;
   nameUnconverged(CellId(7), solution, findings);
   EXPECT_TRUE(findings.empty());
-  solution.termination = JointTermination::StepLimit;
+  solution.termination = GlobalTermination::StepLimit;
   solution.iterations = 100;
   nameUnconverged(CellId(7), solution, findings);
   ASSERT_EQ(findings.size(), 1U);

@@ -3,7 +3,7 @@
 // Ceres as oracle: the joint estimate's cost written down a second time, with the errors of every accelerometer as
 // unknowns of their own instead of eliminated ones, automatic derivatives and another solver.
 
-#include "hexoderm/solve/global/joint_cost.h"
+#include "hexoderm/solve/global/global_cost.h"
 
 #include <ceres/ceres.h>
 #include <ceres/rotation.h>
@@ -66,7 +66,7 @@ struct ForceLengthCost {
 };
 
 struct ClosureCost {
-  JointLink link;
+  GlobalLink link;
   double sigma_m;
 
   template <typename T>
@@ -96,7 +96,7 @@ struct ClosureCost {
 };
 
 struct ElastomerCost {
-  JointLink link;
+  GlobalLink link;
   const CellModel& model;
 
   template <typename T>
@@ -119,7 +119,7 @@ struct ElastomerCost {
 /// The problem in Ceres' terms, from a state on.
 class CeresOracle {
  public:
-  CeresOracle(const JointProblem& problem, const JointState& start)
+  CeresOracle(const GlobalProblem& problem, const GlobalState& start)
       : problem_(problem), middle_o_(start.middle_o), share_(start.gap_share) {
     for (const SE3& cell : start.cells) {
       Cell unknowns;
@@ -156,8 +156,8 @@ class CeresOracle {
     return summary;
   }
 
-  [[nodiscard]] JointState state() const {
-    JointState state;
+  [[nodiscard]] GlobalState state() const {
+    GlobalState state;
     state.middle_o = middle_o_;
     state.gap_share = share_;
     for (const Cell& cell : cells_) {
@@ -243,7 +243,7 @@ class CeresOracle {
   }
 
   void addLinks() {
-    for (const JointLink& link : problem_.links) {
+    for (const GlobalLink& link : problem_.links) {
       Cell& c = cells_[link.c];
       Cell& n = cells_[link.n];
       ceres_.AddResidualBlock(
@@ -255,7 +255,7 @@ class CeresOracle {
     }
   }
 
-  const JointProblem& problem_;
+  const GlobalProblem& problem_;
   Eigen::Vector3d middle_o_;
   double share_;
   std::vector<Cell> cells_;

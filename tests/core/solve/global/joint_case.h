@@ -7,7 +7,7 @@
 #include "tests/support/normal_draw.h"
 #include "tests/support/simulated_skins.h"
 
-#include "hexoderm/solve/global/joint_cost.h"
+#include "hexoderm/solve/global/global_cost.h"
 
 #include <Eigen/Dense>
 #include <memory>
@@ -26,18 +26,18 @@ inline const char* nameOf(const GapShare& gap) {
   return gap.mean == 0 ? "pivot" : "arc";
 }
 
-struct JointCase {
-  explicit JointCase(CellModel cell_model) : model(std::make_shared<const CellModel>(std::move(cell_model))) {
+struct GlobalCase {
+  explicit GlobalCase(CellModel cell_model) : model(std::make_shared<const CellModel>(std::move(cell_model))) {
     problem.model = model.get();
     problem.link_sigma_m = model->link_sigma_m;
   }
   std::shared_ptr<const CellModel> model;
-  JointProblem problem;
-  JointState truth;
+  GlobalProblem problem;
+  GlobalState truth;
 };
 
-inline JointLink makeLink(const CellModel& model, std::size_t c, std::uint32_t port_c, std::size_t n,
-                          std::uint32_t port_n) {
+inline GlobalLink makeLink(const CellModel& model, std::size_t c, std::uint32_t port_c, std::size_t n,
+                           std::uint32_t port_n) {
   const Port& source = model.port(PortNumber(port_c));
   const Port& target = model.port(PortNumber(port_n));
   return {c, n, source.vector_m, target.vector_m, nominalAlignment(source, target)};
@@ -50,8 +50,8 @@ inline Eigen::Vector3d middleOf(const std::vector<SE3>& cells) {
 }
 
 /// Adds a reading R^T f of every cell in every direction, as good as those of a hand-held skin.
-inline void addExactReadings(JointCase& example, const std::vector<Eigen::Vector3d>& ups_o) {
-  JointProblem& problem = example.problem;
+inline void addExactReadings(GlobalCase& example, const std::vector<Eigen::Vector3d>& ups_o) {
+  GlobalProblem& problem = example.problem;
   problem.poses = ups_o.size();
   problem.readings.assign(example.truth.cells.size(), {});
   for (std::size_t cell = 0; cell < example.truth.cells.size(); ++cell) {
@@ -67,8 +67,8 @@ inline void addExactReadings(JointCase& example, const std::vector<Eigen::Vector
   }
 }
 
-/// Placement of the cell n that is turned by R_c_n, by its link: the closure of JointProblem, met exactly.
-inline SE3 placeByLink(const SE3& T_o_c, const JointLink& link, const Eigen::Matrix3d& R_c_n, double share) {
+/// Placement of the cell n that is turned by R_c_n, by its link: the closure of GlobalProblem, met exactly.
+inline SE3 placeByLink(const SE3& T_o_c, const GlobalLink& link, const Eigen::Matrix3d& R_c_n, double share) {
   const Eigen::Vector3d u_c = link.p_c.normalized();
   const Eigen::Vector3d u_n = R_c_n * link.p_n.normalized();
   const double a = angleBetween(u_c, -u_n) / 2;
@@ -78,9 +78,9 @@ inline SE3 placeByLink(const SE3& T_o_c, const JointLink& link, const Eigen::Mat
 }
 
 /// X17, its cells in the order of PinJointedSkin's bentX17(), every link bent, twisted and yawed at random.
-inline JointCase exactX17(CellModel model, double share, double bend_sigma_rad, double twist_sigma_rad,
-                          double yaw_sigma_rad, std::uint64_t seed) {
-  JointCase example(std::move(model));
+inline GlobalCase exactX17(CellModel model, double share, double bend_sigma_rad, double twist_sigma_rad,
+                           double yaw_sigma_rad, std::uint64_t seed) {
+  GlobalCase example(std::move(model));
   test::NormalDraw draw(seed);
   example.truth.cells = {SE3()};
   const std::pair<std::uint32_t, std::uint32_t> arms[] = {{1, 4}, {4, 1}, {2, 3}, {3, 2}};
@@ -88,7 +88,7 @@ inline JointCase exactX17(CellModel model, double share, double bend_sigma_rad, 
     std::size_t from = 0;
     for (int k = 0; k < 4; ++k) {
       const std::size_t next = example.truth.cells.size();
-      const JointLink link = makeLink(*example.model, from, out, next, in);
+      const GlobalLink link = makeLink(*example.model, from, out, next, in);
       const Eigen::Vector3d u = link.p_c.normalized();
       const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
       const double bend = bend_sigma_rad * draw.normal();
@@ -106,12 +106,12 @@ inline JointCase exactX17(CellModel model, double share, double bend_sigma_rad, 
 }
 
 /// Eight cells, bent by 45 degrees from one to the next, which close to a ring.
-inline JointCase exactRing(CellModel model, double share) {
-  JointCase example(std::move(model));
+inline GlobalCase exactRing(CellModel model, double share) {
+  GlobalCase example(std::move(model));
   constexpr std::size_t kCells = 8;
   example.truth.cells = {SE3()};
   for (std::size_t k = 0; k < kCells; ++k) {
-    const JointLink link = makeLink(*example.model, k, 2, (k + 1) % kCells, 3);
+    const GlobalLink link = makeLink(*example.model, k, 2, (k + 1) % kCells, 3);
     example.problem.links.push_back(link);
     if (k + 1 == kCells) break;
     const Eigen::Vector3d bend = 45 * kDegree * Eigen::Vector3d::UnitZ().cross(link.p_c.normalized());
@@ -123,10 +123,10 @@ inline JointCase exactRing(CellModel model, double share) {
 }
 
 /// A simulated skin in `poses` scripted poses. The directions of `truth` are those asked for; a hand misses them.
-inline JointCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap) {
+inline GlobalCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap) {
   SimulatedSkin skin = test::simulatedSkin(options);
-  JointCase example(skin.model());
-  JointProblem& problem = example.problem;
+  GlobalCase example(skin.model());
+  GlobalProblem& problem = example.problem;
   const std::vector<TrueCell>& truth = skin.truth();
   problem.origin = truth.size() / 3;
   problem.gap = gap;
@@ -157,8 +157,8 @@ inline JointCase simulatedCase(const SimulatedSkinOptions& options, std::size_t 
 }
 
 /// A state some way off, of the unknowns that are free. Forces turn by about as much as cells.
-inline JointState perturbed(const JointProblem& problem, const JointState& state, double turn_rad, double shift_m,
-                            std::uint64_t seed) {
+inline GlobalState perturbed(const GlobalProblem& problem, const GlobalState& state, double turn_rad, double shift_m,
+                             std::uint64_t seed) {
   test::NormalDraw draw(seed);
   const BorderLayout layout(problem);
   Eigen::VectorXd cells(static_cast<Eigen::Index>(6 * problem.cellCount()));

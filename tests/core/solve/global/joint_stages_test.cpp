@@ -2,7 +2,7 @@
 // takes few steps, and ends at the optimum.
 
 #include "hexoderm/solve/estimate/patch_solver.h"
-#include "hexoderm/solve/global/joint_refinement.h"
+#include "hexoderm/solve/global/global_refinement.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/options.h"
@@ -52,15 +52,15 @@ class TreeStart {
     const PatchSolver patch(*links_, weights_, 0);
     std::vector<SE3> placements;
     for (const TreePlacement& placement : patch.treePlacements()) placements.push_back(placement.T_o_u);
-    refinement_ = std::make_unique<JointRefinement>(links_->model(), links_->graph(), links_->table(), options_,
-                                                    patch.cells(), patch.origin(), placements);
+    refinement_ = std::make_unique<GlobalRefinement>(links_->model(), links_->graph(), links_->table(), options_,
+                                                     patch.cells(), patch.origin(), placements);
   }
 
-  [[nodiscard]] const JointProblem& problem() const { return refinement_->problem(); }
-  [[nodiscard]] const JointState& state() const { return refinement_->solution().state; }
+  [[nodiscard]] const GlobalProblem& problem() const { return refinement_->problem(); }
+  [[nodiscard]] const GlobalState& state() const { return refinement_->solution().state; }
   /// The same with the true placements.
-  [[nodiscard]] JointState truth() const {
-    JointState truth = state();
+  [[nodiscard]] GlobalState truth() const {
+    GlobalState truth = state();
     for (std::size_t k = 0; k < truth.cells.size(); ++k) {
       truth.cells[k] = T_b_u_[problem().origin].inverse() * T_b_u_[k];
     }
@@ -74,12 +74,12 @@ class TreeStart {
   std::vector<SE3> T_b_u_;
   std::unique_ptr<SkinLinks> links_;
   std::vector<double> weights_;
-  std::unique_ptr<JointRefinement> refinement_;
+  std::unique_ptr<GlobalRefinement> refinement_;
 };
 
 /// The cost where a strict solve from the true placements ends, which close the links: no stages are needed.
 double strictCost(const TreeStart& start) {
-  JointSolverOptions strict;
+  GlobalSolverOptions strict;
   strict.cost_tolerance = 1e-12;
   strict.max_iterations = 300;
   strict.covariance = false;
@@ -88,36 +88,36 @@ double strictCost(const TreeStart& start) {
 
 void expectFewSteps(int side, std::size_t poses, int seed, int most) {
   const TreeStart start(side, poses, seed);
-  const JointSolution solution =
-      solveJointly(start.problem(), start.state(), test::with(&JointSolverOptions::covariance, false));
-  EXPECT_EQ(solution.termination, JointTermination::Converged) << "seed " << seed;
+  const GlobalSolution solution =
+      solveJointly(start.problem(), start.state(), test::with(&GlobalSolverOptions::covariance, false));
+  EXPECT_EQ(solution.termination, GlobalTermination::Converged) << "seed " << seed;
   EXPECT_LE(solution.iterations, most) << "seed " << seed;
   EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
 }
 
-TEST(JointStages, FewStepsLeadToTheOptimum) {
+TEST(GlobalStages, FewStepsLeadToTheOptimum) {
   for (const int seed : kSeeds) expectFewSteps(kSide, 2, seed, 20);
   for (const int seed : kSeeds) expectFewSteps(kSide, 3, seed, 10);
   // Links that look closed and refuse the first step.
   for (const int seed : {5, 6, 7}) expectFewSteps(12, 3, seed, 10);
 }
 
-TEST(JointStages, GrossErrorsDoNotLeadTheStagesAway) {
+TEST(GlobalStages, GrossErrorsDoNotLeadTheStagesAway) {
   const TreeStart start(kSide, 2, 101);
-  JointProblem problem = start.problem();
+  GlobalProblem problem = start.problem();
   for (std::size_t cell = 7; cell < problem.cellCount(); cell += 50) problem.readings[cell][1].y_g *= -1;
-  JointSolverOptions options;
+  GlobalSolverOptions options;
   options.covariance = false;
   // Readings that are wrong, but not yet freed, leave a long valley to the last digits: what counts is where it ends.
   options.max_iterations = 300;
-  const JointSolution solution = solveJointly(problem, start.state(), options);
+  const GlobalSolution solution = solveJointly(problem, start.state(), options);
   const double reference = solveJointly(problem, start.truth(), options).cost;
-  EXPECT_EQ(solution.termination, JointTermination::Converged);
+  EXPECT_EQ(solution.termination, GlobalTermination::Converged);
   EXPECT_LE(solution.cost, reference * (1 + 1e-6));
 }
 
 /// In a solve such readings are found and left out, after which few steps are left.
-TEST(JointStages, ASolveWithGrossErrorsConverges) {
+TEST(GlobalStages, ASolveWithGrossErrorsConverges) {
   for (const std::size_t poses : {2U, 3U}) {
     for (const int seed : kSeeds) {
       const SimulatedSession simulated(kSide, poses, seed);

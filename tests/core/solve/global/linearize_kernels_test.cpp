@@ -12,7 +12,7 @@ namespace hexoderm {
 namespace {
 
 /// The largest difference between two linearizations, per standard deviations of each unknown alone.
-double differenceBetween(const JointProblem& problem, const NormalEquations& a, const NormalEquations& b) {
+double differenceBetween(const GlobalProblem& problem, const NormalEquations& a, const NormalEquations& b) {
   const Eigen::MatrixXd H = denseMatrix(problem, a);
   const Eigen::VectorXd scale = H.diagonal().cwiseMax(1e-12).cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd difference = scale.asDiagonal() * (denseMatrix(problem, b) - H) * scale.asDiagonal();
@@ -25,7 +25,7 @@ double differenceBetween(const JointProblem& problem, const NormalEquations& a, 
   return std::max({difference.cwiseAbs().maxCoeff(), of_gradient, std::abs(a.cost - b.cost) / a.cost});
 }
 
-void expectTheSame(const JointProblem& problem, const JointState& state, const std::string& what) {
+void expectTheSame(const GlobalProblem& problem, const GlobalState& state, const std::string& what) {
   NormalEquations portable;
   NormalEquations fast;
   linearize(problem, state, portable, portableLinearizeKernels());
@@ -38,13 +38,13 @@ TEST(LinearizeKernels, GiveTheSameOnAnyMachine) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x3"}) {
     for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
       for (const std::size_t poses : {0U, 1U, 2U, 4U, 7U}) {
-        JointCase example = simulatedCase(test::skinOptions(patch), poses, gap);
+        GlobalCase example = simulatedCase(test::skinOptions(patch), poses, gap);
         for (const bool accelerations : {false, true}) {
           example.problem.accelerations = accelerations;
           for (const double threshold : {3.0, std::numeric_limits<double>::infinity()}) {
             example.problem.loss.threshold = threshold;
             for (const double away : {0.0, 0.01, 0.3}) {
-              const JointState state = perturbed(example.problem, example.truth, away, 0.01 * away, 7);
+              const GlobalState state = perturbed(example.problem, example.truth, away, 0.01 * away, 7);
               expectTheSame(example.problem, state,
                             std::string(patch) + ", " + nameOf(gap) + ", " + std::to_string(poses) +
                                 " poses, accelerations " + std::to_string(accelerations) + ", threshold " +
@@ -58,7 +58,7 @@ TEST(LinearizeKernels, GiveTheSameOnAnyMachine) {
 }
 
 TEST(LinearizeKernels, TakeMissingReadingsTurnedSensorsAndAnyOrigin) {
-  JointCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
+  GlobalCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
   CellModel model = *example.model;
   model.accelerometer.T_u_a.R = expSO3({0.4, -0.3, 1.1});
   model.accelerometer.scale_sigma = 0;
@@ -72,25 +72,25 @@ TEST(LinearizeKernels, TakeMissingReadingsTurnedSensorsAndAnyOrigin) {
 }
 
 TEST(LinearizeKernels, TakeOverturnedLinksAndGrossErrors) {
-  JointCase example = simulatedCase(test::skinOptions("x17"), 5, kFitGap);
+  GlobalCase example = simulatedCase(test::skinOptions("x17"), 5, kFitGap);
   example.problem.readings[3][2].y_g = {1.5, -1.5, 0.4};
   example.problem.readings[16][0].y_g = {-1, 0.2, 1};
-  JointState state = example.truth;
+  GlobalState state = example.truth;
   state.cells[7].R = state.cells[7].R * expSO3({0.1, 3.0, 0.2});
   expectTheSame(example.problem, state, "gross");
 }
 
 TEST(LinearizeKernels, TakeAnyNumberOfPoses) {
   for (const std::size_t poses : {63U, 66U}) {
-    JointCase example = simulatedCase(test::skinOptions("sheet:2x2"), poses, kFitGap);
+    GlobalCase example = simulatedCase(test::skinOptions("sheet:2x2"), poses, kFitGap);
     expectTheSame(example.problem, perturbed(example.problem, example.truth, 0.01, 0.001, 5), std::to_string(poses));
   }
 }
 
 TEST(LinearizeKernels, ANumberThatIsNotFiniteStaysOne) {
-  JointCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
+  GlobalCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   for (const bool in_force : {false, true}) {
-    JointState state = example.truth;
+    GlobalState state = example.truth;
     (in_force ? state.force_o[1] : state.cells[6].t)[0] = std::numeric_limits<double>::quiet_NaN();
     NormalEquations equations;
     linearize(example.problem, state, equations);

@@ -1,7 +1,7 @@
-// One JointSolver for many solutions, and covariances that outlive its factors.
+// One GlobalSolver for many solutions, and covariances that outlive its factors.
 
 #include "hexoderm/solve/global/cells_first.h"
-#include "hexoderm/solve/global/joint_solver.h"
+#include "hexoderm/solve/global/global_solver.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/solve/global/joint_case.h"
 #include "tests/support/options.h"
@@ -16,11 +16,11 @@
 namespace hexoderm {
 namespace {
 
-JointCase sheetInPoses(std::size_t poses) {
+GlobalCase sheetInPoses(std::size_t poses) {
   return simulatedCase(test::skinOptions("sheet:5x6", "cylinder:r=0.06"), poses, kFitGap);
 }
 
-void expectSame(const JointSolution& a, const JointSolution& b, const JointProblem& problem) {
+void expectSame(const GlobalSolution& a, const GlobalSolution& b, const GlobalProblem& problem) {
   EXPECT_EQ(a.cost, b.cost);
   EXPECT_EQ(a.iterations, b.iterations);
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
@@ -31,16 +31,16 @@ void expectSame(const JointSolution& a, const JointSolution& b, const JointProbl
 }
 
 TEST(LivingJointSolver, SolvesOneProblemAfterAnotherAsNewSolversDo) {
-  JointSolver solver;
-  std::vector<JointSolution> kept;  // their covariances must not be overwritten by later solutions
-  std::vector<JointCase> cases;
+  GlobalSolver solver;
+  std::vector<GlobalSolution> kept;  // their covariances must not be overwritten by later solutions
+  std::vector<GlobalCase> cases;
   for (const std::size_t poses : {2U, 3U, 5U, 3U}) cases.push_back(sheetInPoses(poses));
-  for (const JointCase& example : cases) kept.push_back(solver.solve(example.problem, example.truth));
+  for (const GlobalCase& example : cases) kept.push_back(solver.solve(example.problem, example.truth));
   for (std::size_t k = 0; k < cases.size(); ++k) {
     expectSame(kept[k], solveJointly(cases[k].problem, cases[k].truth), cases[k].problem);
   }
   kept.clear();  // from here on the factor's memory is used again
-  for (const JointCase& example : cases) {
+  for (const GlobalCase& example : cases) {
     expectSame(solver.solve(example.problem, example.truth), solveJointly(example.problem, example.truth),
                example.problem);
     solver.releaseWorkspace();
@@ -48,21 +48,21 @@ TEST(LivingJointSolver, SolvesOneProblemAfterAnotherAsNewSolversDo) {
 }
 
 TEST(LivingJointSolver, TheOrderMayChangeBetweenSolutions) {
-  JointCase example = sheetInPoses(4);
+  GlobalCase example = sheetInPoses(4);
   example.problem.accelerations = false;
-  JointSolver solver;
-  for (const JointOrder order : {JointOrder::PosesFirst, JointOrder::CellsFirst, JointOrder::PosesFirst}) {
-    const auto options = test::with(&JointSolverOptions::order, order);
+  GlobalSolver solver;
+  for (const GlobalOrder order : {GlobalOrder::PosesFirst, GlobalOrder::CellsFirst, GlobalOrder::PosesFirst}) {
+    const auto options = test::with(&GlobalSolverOptions::order, order);
     expectSame(solver.solve(example.problem, example.truth, options),
                solveJointly(example.problem, example.truth, options), example.problem);
   }
 }
 
 TEST(LivingJointSolver, CovariancesAtAStateAreTheSameInMemoryOfOthers) {
-  const JointCase example = sheetInPoses(3);
-  JointSolver solver;
-  const auto fresh = JointSolver().covarianceAt(example.problem, example.truth);
-  const JointCovariance& expected = *fresh;
+  const GlobalCase example = sheetInPoses(3);
+  GlobalSolver solver;
+  const auto fresh = GlobalSolver().covarianceAt(example.problem, example.truth);
+  const GlobalCovariance& expected = *fresh;
   for (int k = 0; k < 2; ++k) {
     const auto found = solver.covarianceAt(example.problem, example.truth);
     for (std::size_t cell = 0; cell < example.problem.cellCount(); ++cell) {
@@ -75,11 +75,11 @@ TEST(LivingJointSolver, CovariancesAtAStateAreTheSameInMemoryOfOthers) {
 
 /// A solution whose factor is given back, and one that keeps its own.
 struct GivenBack {
-  JointCase example = sheetInPoses(3);
-  std::shared_ptr<const JointProblem> problem = std::make_shared<const JointProblem>(example.problem);
-  JointSolver solver;
-  JointSolution solution = solver.solve(*problem, example.truth);
-  JointSolution whole = solveJointly(*problem, example.truth);
+  GlobalCase example = sheetInPoses(3);
+  std::shared_ptr<const GlobalProblem> problem = std::make_shared<const GlobalProblem>(example.problem);
+  GlobalSolver solver;
+  GlobalSolution solution = solver.solve(*problem, example.truth);
+  GlobalSolution whole = solveJointly(*problem, example.truth);
 };
 
 TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
@@ -89,7 +89,7 @@ TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
   auto& whole = given.whole;
   solution.covariance->keepProblemInstead(problem);
   // Other solutions take the factor's memory.
-  const JointCase other = sheetInPoses(2);
+  const GlobalCase other = sheetInPoses(2);
   given.solver.solve(other.problem, other.truth);
   expectSame(solution, whole, *problem);
   const auto size = static_cast<Eigen::Index>(6 * problem->cellCount());

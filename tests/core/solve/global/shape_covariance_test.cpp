@@ -1,7 +1,7 @@
 #include "hexoderm/solve/global/shape_covariance.h"
 
 #include "hexoderm/base/alignment.h"
-#include "hexoderm/solve/global/joint_solver.h"
+#include "hexoderm/solve/global/global_solver.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/result/uncertainty.h"
 #include "tests/core/solve/global/joint_case.h"
@@ -40,22 +40,22 @@ Eigen::MatrixXd transformationOf(const std::vector<SE3>& cells) {
 }
 
 /// The covariance of all cells of a solution relative to its origin.
-Eigen::MatrixXd wholeOf(const JointSolution& solution) {
+Eigen::MatrixXd wholeOf(const GlobalSolution& solution) {
   const Eigen::Index rows = rowsOf(solution.state.cells.size());
   return solution.covariance->timesCells(Eigen::MatrixXd::Identity(rows, rows));
 }
 
-std::vector<Matrix6d> shapeOf(const JointSolution& solution) {
+std::vector<Matrix6d> shapeOf(const GlobalSolution& solution) {
   return shapeCovariancesOf(
       solution.state.cells, [&](Eigen::MatrixXd B) { return solution.covariance->timesCells(std::move(B)); },
       [&](std::size_t cell) { return solution.covariance->cell(cell); });
 }
 
-JointCase x17Case(std::uint64_t seed) { return simulatedCase(test::skinOptions("x17", "", seed), 4, kFitGap); }
+GlobalCase x17Case(std::uint64_t seed) { return simulatedCase(test::skinOptions("x17", "", seed), 4, kFitGap); }
 
 TEST(ShapeCovariance, IsTheSTransformedCovariance) {
-  const JointCase example = x17Case(3);
-  const JointSolution solution = solveJointly(example.problem, example.truth);
+  const GlobalCase example = x17Case(3);
+  const GlobalSolution solution = solveJointly(example.problem, example.truth);
   const Eigen::MatrixXd S = transformationOf(solution.state.cells);
   const Eigen::MatrixXd C_s = S * wholeOf(solution) * S.transpose();
   // Motions of the whole are taken out.
@@ -71,17 +71,17 @@ TEST(ShapeCovariance, IsTheSTransformedCovariance) {
 // Another origin is another frame with another covariance; the shape's is the same, but for the priors' being
 // linearised elsewhere.
 TEST(ShapeCovariance, DoesNotDependOnTheOrigin) {
-  const JointCase example = x17Case(5);
-  const JointSolution one = solveJointly(example.problem, example.truth);
-  JointCase moved = example;
+  const GlobalCase example = x17Case(5);
+  const GlobalSolution one = solveJointly(example.problem, example.truth);
+  GlobalCase moved = example;
   moved.problem.origin = 14;
   const SE3 T = one.state.cells[14].inverse();
-  JointState start = one.state;
+  GlobalState start = one.state;
   for (SE3& cell : start.cells) cell = T * cell;
   for (Eigen::Vector3d& force : start.force_o) force = T.R * force;
   for (Eigen::Vector3d& acceleration : start.acceleration_o) acceleration = T.R * acceleration;
   start.middle_o = T * start.middle_o;
-  const JointSolution other = solveJointly(moved.problem, start);
+  const GlobalSolution other = solveJointly(moved.problem, start);
   const std::vector<Matrix6d> shape = shapeOf(one);
   const std::vector<Matrix6d> shape_there = shapeOf(other);
   Matrix6d turn = Matrix6d::Identity();  // positions are in the patch's frame
@@ -112,8 +112,8 @@ TEST(ShapeCovariance, ErrorsAfterTheBestAlignmentAreAsLargeAsStated) {
   double nees = 0;
   double count = 0;
   for (std::uint64_t seed = 1; seed <= (kSlowBuild ? 2U : 100U); ++seed) {
-    const JointCase example = x17Case(seed);
-    const JointSolution solution = solveJointly(example.problem, example.truth);
+    const GlobalCase example = x17Case(seed);
+    const GlobalSolution solution = solveJointly(example.problem, example.truth);
     const std::vector<Matrix6d> shape = shapeOf(solution);
     std::vector<Eigen::Vector3d> found;
     std::vector<Eigen::Vector3d> truth;

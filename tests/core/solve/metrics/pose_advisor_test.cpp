@@ -47,9 +47,9 @@ TEST(PoseAdvisor, SaysWhichCellFacesWhere) {
   const auto result = reconstruct(*bentX17().session(orthogonalUps(2)).snapshot());
   PoseAdvice advice;
   advice.up = result->find(CellId(9)).cell->T_o_u.R.col(2);
-  EXPECT_EQ(adviceInWords(advice, *result).english(), "Turn the part so that cell 9 faces the ceiling.");
+  EXPECT_EQ(adviceText(advice, *result).english(), "Turn the part so that cell 9 faces the ceiling.");
   advice.up = -advice.up;
-  EXPECT_EQ(adviceInWords(advice, *result).english(), "Turn the part so that cell 9 faces the floor.");
+  EXPECT_EQ(adviceText(advice, *result).english(), "Turn the part so that cell 9 faces the floor.");
 }
 
 }  // namespace

@@ -68,14 +68,14 @@ TEST(ReviewSummary, OfAFileThatStatesTheRmsAloneLinksHaveTheirResiduals) {
   EXPECT_EQ(summariseCells(imported)[2].worst_residual_rad, 0.4);
 }
 
-TEST(ReviewSummary, ALinkThatWasSolvedOrMeasuredHasFigures) {
+TEST(ReviewSummary, ALinkThatWasSolvedOrMeasuredHasMetrics) {
   LinkEstimate link;
-  EXPECT_FALSE(link.hasFigures());
+  EXPECT_FALSE(link.hasMetrics());
   link.used = true;
-  EXPECT_TRUE(link.hasFigures());
+  EXPECT_TRUE(link.hasMetrics());
   link.used = false;
   link.pose_residual_rad = {std::nullopt, 0.0};
-  EXPECT_TRUE(link.hasFigures());
+  EXPECT_TRUE(link.hasMetrics());
   EXPECT_EQ(link.knownResidual(), 0.0) << "measured, and nothing is left";
 }
 

@@ -1,6 +1,6 @@
 #include "hexoderm/solve/metrics/skin_signs.h"
 
-#include "hexoderm/solve/metrics/cell_figures.h"
+#include "hexoderm/solve/metrics/cell_metrics.h"
 #include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
@@ -31,7 +31,7 @@ TEST(SkinSigns, FindingsAboutReadingsAreSignsOfTheirCells) {
                    about(FindingCode::NoisySensor, {CellId(2)}), about(FindingCode::LeftOut, {CellId(7)}),
                    about(FindingCode::DeadSensor, {CellId(999)})};
   const SkinSigns signs = signsOf(demo);
-  const CellFigures figures = makeCellFigures(demo);
+  const CellMetrics figures = makeCellMetrics(demo);
   for (std::size_t k = 0; k < figures.cells.size(); ++k) {
     const std::uint32_t cell = figures.cells[k].value();
     EXPECT_EQ(signs.cells[k].faulty, cell == 5) << cell;

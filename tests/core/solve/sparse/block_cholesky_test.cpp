@@ -95,7 +95,7 @@ TEST_P(BlockCholeskyGraphs, OneVectorIsSolvedAsAColumnIs) {
     ASSERT_TRUE(cholesky.factorize(system_.diagonal, system_.couples));
     const Eigen::MatrixXd B = someColumns(system_, 2);
     const Eigen::VectorXd b = B.col(0);
-    RightSides columns = cholesky.ordered(B);
+    RightHandSides columns = cholesky.ordered(B);
     Eigen::VectorXd vector = cholesky.orderedVector(b);
     EXPECT_EQ(vector, Eigen::VectorXd(columns.matrix().col(0)));
     cholesky.solveLower(columns);
@@ -116,7 +116,7 @@ TEST(BlockCholesky, HalvesOfASolutionGiveProductsWithTheInverse) {
   ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
   const Eigen::MatrixXd B = someColumns(system, 5);
   const Eigen::MatrixXd solution = system.dense().llt().solve(B);
-  RightSides half = cholesky.ordered(B);
+  RightHandSides half = cholesky.ordered(B);
   cholesky.solveLower(half);
   const Eigen::MatrixXd product = half.matrix().transpose() * half.matrix();
   EXPECT_THAT(product, MatrixNear(Eigen::MatrixXd(B.transpose() * solution), 1e-9));

@@ -1,0 +1,353 @@
+#include "hexoderm/solve/global/global_solver.h"
+
+#include "hexoderm/base/alignment.h"
+#include "hexoderm/base/error.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "tests/core/solve/global/joint_case.h"
+#include "tests/support/matchers.h"
+#include "tests/support/options.h"
+#include "tests/support/pin_jointed_skin.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace hexoderm {
+namespace {
+
+/// Largest deviations from the truth, aligned as in compareToTruth().
+struct Deviation {
+  double position_m = 0;
+  double orientation_rad = 0;
+};
+Deviation deviationOf(const GlobalState& estimate, const GlobalState& truth) {
+  std::vector<Eigen::Vector3d> true_t;
+  std::vector<Eigen::Vector3d> t;
+  std::vector<Eigen::Matrix3d> turns;
+  for (std::size_t cell = 0; cell < truth.cells.size(); ++cell) {
+    true_t.push_back(truth.cells[cell].t);
+    t.push_back(estimate.cells[cell].t);
+    turns.push_back(truth.cells[cell].R * estimate.cells[cell].R.transpose());
+  }
+  const SE3 T = alignPoints(true_t, t);
+  const Eigen::Matrix3d turn = chordalMean(turns);
+  Deviation worst;
+  for (std::size_t cell = 0; cell < truth.cells.size(); ++cell) {
+    worst.position_m = std::max(worst.position_m, (T * t[cell] - true_t[cell]).norm());
+    worst.orientation_rad =
+        std::max(worst.orientation_rad, rotationAngle(turn * estimate.cells[cell].R * truth.cells[cell].R.transpose()));
+  }
+  return worst;
+}
+
+TEST(GlobalSolver, ExactDataWithoutPriorsComeBackExactly) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.offset_sigma_g = model.accelerometer.scale_sigma = model.accelerometer.cross_axis_sigma = 0;
+  model.bend_sigma_rad = model.twist_sigma_rad = model.yaw_sigma_rad = 1e6;
+  for (const GapShare& gap : {kPivotGap, kArcGap}) {
+    for (const std::size_t poses : {2U, 3U, 6U}) {
+      for (const bool closed : {false, true}) {
+        GlobalCase example =
+            closed ? exactRing(model, gap.mean) : exactX17(model, gap.mean, 0.4, 0.15, 0.05, 10 + poses);
+        example.problem.gap = gap;
+        example.problem.origin = 3;
+        addExactReadings(example, orthogonalUps(poses));
+        const GlobalSolution solution =
+            solveJointly(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, poses));
+        const Deviation deviation = deviationOf(solution.state, example.truth);
+        const std::string what = std::string(closed ? "ring, " : "x17, ") + nameOf(gap) + ", " + std::to_string(poses);
+        EXPECT_LE(deviation.orientation_rad, 1e-6 * kDegree) << what;
+        EXPECT_LE(deviation.position_m, 1e-9) << what;
+        EXPECT_EQ(solution.termination, GlobalTermination::Converged) << what;
+      }
+    }
+  }
+}
+
+/// The covariance by the dense way: the origin's rows taken out, the rest inverted.
+Eigen::MatrixXd denseCovariance(const GlobalProblem& problem, const NormalEquations& equations) {
+  Eigen::MatrixXd H = denseMatrix(problem, equations);
+  // Scaled, so that inverting does not suffer from metres beside radians.
+  const Eigen::VectorXd scale = H.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd scaled = scale.asDiagonal() * H * scale.asDiagonal();
+  Eigen::MatrixXd C =
+      scale.asDiagonal() * scaled.ldlt().solve(Eigen::MatrixXd::Identity(H.rows(), H.rows())) * scale.asDiagonal();
+  const auto at = static_cast<Eigen::Index>(6 * problem.origin);
+  C.middleRows<6>(at).setZero();
+  C.middleCols<6>(at).setZero();
+  return C;
+}
+
+TEST(GlobalCovariance, IsTheInverseOfTheNormalEquations) {
+  for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
+    for (const GapShare& gap : {kFitGap, kArcGap}) {
+      for (const bool accelerations : {false, true}) {
+        GlobalCase example = simulatedCase(test::skinOptions(patch), 3, gap);
+        example.problem.accelerations = accelerations;
+        // Two links between the same cells add up.
+        GlobalLink again = example.problem.links[1];
+        std::swap(again.c, again.n);
+        std::swap(again.p_c, again.p_n);
+        again.R_nom.transposeInPlace();
+        example.problem.links.push_back(again);
+        NormalEquations equations;
+        linearize(example.problem, example.truth, equations);
+        const Eigen::MatrixXd C = denseCovariance(example.problem, equations);
+        const auto known = GlobalSolver().covarianceAt(example.problem, example.truth);
+        const GlobalCovariance& covariance = *known;
+        const auto blockOf = [&](std::size_t a, std::size_t b) -> Matrix6d {
+          return C.block<6, 6>(static_cast<Eigen::Index>(6 * a), static_cast<Eigen::Index>(6 * b));
+        };
+        const std::size_t count = example.problem.cellCount();
+        const auto expectNear = [&](const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected,
+                                    const std::string& what) {
+          EXPECT_LE((actual - expected).norm(), 1e-9 * expected.norm()) << patch << ", " << nameOf(gap) << ", " << what;
+        };
+        for (std::size_t a = 0; a < count; ++a) {
+          expectNear(covariance.cell(a), blockOf(a, a), "cell " + std::to_string(a));
+          for (std::size_t b = 0; b < count; ++b) {
+            // Relative to what correlation 1 would be: a nearly independent pair's block is small.
+            const double full = std::sqrt(blockOf(a, a).norm() * blockOf(b, b).norm());
+            EXPECT_LE((covariance.between(a, b) - blockOf(a, b)).norm(), 1e-9 * full)
+                << patch << ", cells " << a << " and " << b;
+          }
+        }
+        const auto rows = static_cast<Eigen::Index>(6 * count);
+        expectNear(covariance.timesCells(Eigen::MatrixXd::Identity(rows, rows)), C.topLeftCorner(rows, rows), "all");
+        for (std::size_t k = 0; k < example.problem.links.size(); ++k) {
+          const GlobalLink& link = example.problem.links[k];
+          expectNear(covariance.link(k), blockOf(link.c, link.n), "link " + std::to_string(k));
+        }
+        const BorderLayout layout(example.problem);
+        const auto border = static_cast<Eigen::Index>(6 * count);
+        for (std::size_t pose = 0; pose < example.problem.poses; ++pose) {
+          const Eigen::Index at = border + layout.force(pose);
+          expectNear(covariance.force(pose), C.block<3, 3>(at, at), "pose " + std::to_string(pose));
+        }
+        const Eigen::Index share = border + layout.gapShare();
+        EXPECT_NEAR(covariance.gapShareSigma(), gap.sigma ? std::sqrt(C(share, share)) : 0, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(PlacementCovariance, RelativeCovariancesAgreeWithTheStatedOnes) {
+  const auto result =
+      reconstruct(*test::simulatedSession(test::skinOptions("sheet:4x4", "cylinder:r=0.06"), 3).snapshot());
+  const PatchReconstruction& patch = result->patches.front();
+  ASSERT_NE(patch.covariance, nullptr);
+  for (const CellPlacement& a : patch.cells) {
+    const Matrix6d from_origin = patch.covariance->relative(patch.origin, a.cell);
+    EXPECT_LE((from_origin - *a.cov_t_r).norm(), 1e-9 * a.cov_t_r->norm()) << "cell " << a.cell;
+    for (const CellPlacement& b : patch.cells) {
+      const Matrix6d C = patch.covariance->relative(a.cell, b.cell);
+      EXPECT_LE((C - C.transpose()).norm(), 1e-9 * C.norm());
+      // T_b_a = T_a_b^-1: its errors are -R_b_a e_t + [t_b_a]x e_r and -R_a_b e_r.
+      const SE3 T_a_b = a.T_o_u.inverse() * b.T_o_u;
+      const SE3 T_b_a = T_a_b.inverse();
+      Matrix6d swap = Matrix6d::Zero();
+      swap.topLeftCorner<3, 3>() = -T_b_a.R;
+      swap.topRightCorner<3, 3>() = skew(T_b_a.t);
+      swap.bottomRightCorner<3, 3>() = -T_a_b.R;
+      const Matrix6d swapped = patch.covariance->relative(b.cell, a.cell);
+      EXPECT_LE((swap * C * swap.transpose() - swapped).norm(), 1e-8 * swapped.norm())
+          << "cells " << a.cell << " and " << b.cell;
+    }
+  }
+  EXPECT_THROW(static_cast<void>(patch.covariance->relative(patch.origin, CellId(999))), InvalidArgument);
+}
+
+/// Finite, symmetric, positive semi-definite covariances of finite placements.
+void expectSane(const GlobalProblem& problem, const GlobalSolution& solution, const std::string& what) {
+  EXPECT_TRUE(std::isfinite(solution.cost)) << what;
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    const SE3& T = solution.state.cells[cell];
+    EXPECT_TRUE(T.t.allFinite() && T.R.allFinite()) << what << ", cell " << cell;
+    EXPECT_LT((T.R * T.R.transpose() - Eigen::Matrix3d::Identity()).norm(), 1e-12) << what;
+    const Matrix6d& C = solution.covariance->cell(cell);
+    ASSERT_TRUE(C.allFinite()) << what << ", cell " << cell;
+    EXPECT_LE((C - C.transpose()).norm(), 1e-12 * C.norm());
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(C, Eigen::EigenvaluesOnly);
+    EXPECT_GE(solver.eigenvalues().minCoeff(), -1e-12 * C.norm()) << what << ", cell " << cell;
+  }
+  for (std::size_t k = 0; k < problem.links.size(); ++k) EXPECT_TRUE(solution.covariance->link(k).allFinite()) << what;
+  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+    EXPECT_TRUE(solution.covariance->force(pose).allFinite()) << what << ", pose " << pose;
+    EXPECT_NEAR(solution.state.force_o[pose].norm(), 1, 0.05) << what;
+  }
+  EXPECT_TRUE(std::isfinite(solution.covariance->gapShareSigma())) << what;
+}
+
+/// Standard deviation of the cell's rotation about its worst axis.
+double worstTurn(const GlobalSolution& solution, std::size_t cell) {
+  const Eigen::Matrix3d C = solution.covariance->cell(cell).bottomRightCorner<3, 3>();
+  return std::sqrt(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(C).eigenvalues().maxCoeff());
+}
+
+TEST(GlobalSolver, PosesThatSayLittleLeaveLargeUncertainties) {
+  const Eigen::Vector3d up(0.3, 0.2, 0.9);
+  struct Poses {
+    const char* name;
+    std::vector<Eigen::Vector3d> ups;
+    double least_turn;
+    double most_turn;
+  };
+  const Poses all[] = {{"no poses", {}, 59.9 * kDegree, 60.1 * kDegree},
+                       {"one pose", {up}, 2 * kDegree, 60 * kDegree},
+                       {"parallel", {up, up}, 2 * kDegree, 60 * kDegree},
+                       {"opposite", {up, -up}, 2 * kDegree, 60 * kDegree},
+                       {"three", {up, {1, 0, -0.3}, {0.1, -1, 0}}, 0, 2 * kDegree}};
+  const CellModel model = builtInCellModel("hex-bma150");
+  for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
+    for (const Poses& poses : all) {
+      for (const bool closed : {false, true}) {
+        for (const bool accelerations : {false, true}) {
+          GlobalCase example = closed ? exactRing(model, gap.mean) : exactX17(model, gap.mean, 0.3, 0.05, 0.02, 3);
+          example.problem.gap = gap;
+          example.problem.accelerations = accelerations;
+          addExactReadings(example, poses.ups);
+          const GlobalSolution solution =
+              solveJointly(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 9));
+          const std::string what = std::string(poses.name) + ", " + nameOf(gap) + (closed ? ", ring" : ", x17");
+          expectSane(example.problem, solution, what);
+          if (closed) continue;
+          EXPECT_GT(worstTurn(solution, 4), poses.least_turn) << what;
+          EXPECT_LT(worstTurn(solution, 4), poses.most_turn) << what;
+        }
+      }
+    }
+  }
+}
+
+TEST(GlobalSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
+  // This happens when the only cell that was measured in a pose is left out.
+  GlobalCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
+  GlobalCase fewer = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
+  for (auto& readings : example.problem.readings) readings.pop_back();
+  const GlobalSolution solution = solveJointly(example.problem, example.truth);
+  expectSane(example.problem, solution, "pose without readings");
+  // Its length is still about 1 g; its direction is anyone's guess.
+  EXPECT_GT(solution.covariance->force(3).trace(), 100);
+  const GlobalSolution without = solveJointly(fewer.problem, fewer.truth);
+  EXPECT_NEAR(solution.cost, without.cost, 1e-9 * without.cost);
+  EXPECT_LT(deviationOf(solution.state, without.state).position_m, 1e-9);
+}
+
+TEST(GlobalSolver, TheStartDoesNotMatter) {
+  GlobalCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
+  const GlobalSolution near = solveJointly(example.problem, example.truth);
+  // The way is long if most links are beyond the loss's threshold.
+  const auto patient = test::with(&GlobalSolverOptions::max_iterations, 300);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const GlobalSolution far =
+        solveJointly(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
+    EXPECT_NEAR(far.cost, near.cost, 1e-7 * near.cost) << "seed " << seed;
+    EXPECT_LT(deviationOf(far.state, near.state).position_m, 1e-6) << "seed " << seed;
+    EXPECT_EQ(far.termination, GlobalTermination::Converged) << "seed " << seed;
+  }
+}
+
+TEST(GlobalSolver, StopsWhereItIsWhenAsked) {
+  const GlobalCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
+  std::stop_source source;
+  source.request_stop();
+  const GlobalState start = perturbed(example.problem, example.truth, 0.1, 0.001, 3);
+  const GlobalSolution solution =
+      solveJointly(example.problem, start, test::with(&GlobalSolverOptions::stop, source.get_token()));
+  EXPECT_EQ(solution.termination, GlobalTermination::Stopped);
+  EXPECT_EQ(solution.iterations, 0);
+  EXPECT_EQ(solution.state.cells[4].t, start.cells[4].t);
+  EXPECT_EQ(solution.covariance, nullptr) << "nobody waits for it";
+  EXPECT_EQ(solveJointly(example.problem, start, test::with(&GlobalSolverOptions::max_iterations, 1)).termination,
+            GlobalTermination::StepLimit);
+}
+
+/// A simulated skin whose readings are as mixed as they get: some are missing, some far off, some less certain; a cell
+/// and a pose have none.
+GlobalCase mixedCase(const char* patch, std::size_t poses, const GapShare& gap) {
+  GlobalCase example = simulatedCase(test::skinOptions(patch), poses, gap);
+  test::NormalDraw draw(poses);
+  GlobalProblem& problem = example.problem;
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    for (CellReading& reading : problem.readings[cell]) {
+      const double kind = draw.normal();
+      if (kind > 2) reading.y_g += 0.3 * draw.vector();
+      if (kind < -1.5) reading.variance_g2 *= 4;
+    }
+    std::erase_if(problem.readings[cell], [&](const CellReading& reading) {
+      return (reading.pose + cell) % 11 == 5 || (poses > 3 && reading.pose == 2);
+    });
+  }
+  problem.readings[1].clear();
+  return example;
+}
+
+TEST(GlobalOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
+  for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
+    for (const std::size_t poses : {2U, 4U, 40U}) {
+      for (const GapShare& gap : {kFitGap, kArcGap}) {
+        const GlobalCase example = mixedCase(patch, poses, gap);
+        const auto solveBy = [&](GlobalOrder order) {
+          return solveJointly(example.problem, example.truth, test::with(&GlobalSolverOptions::order, order));
+        };
+        const GlobalSolution a = solveBy(GlobalOrder::CellsFirst);
+        const GlobalSolution b = solveBy(GlobalOrder::PosesFirst);
+        const std::string what = std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap);
+        expectSane(example.problem, b, what);
+        EXPECT_EQ(a.iterations, b.iterations) << what;
+        EXPECT_NEAR(b.cost, a.cost, 1e-9 * a.cost) << what;
+        const auto expectNear = [&](const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double full,
+                                    const std::string& name) {
+          EXPECT_LE((actual - expected).norm(), 1e-6 * full) << what << ", " << name;
+        };
+        for (std::size_t cell = 0; cell < example.problem.cellCount(); ++cell) {
+          const std::string name = "cell " + std::to_string(cell);
+          EXPECT_LT((a.state.cells[cell].t - b.state.cells[cell].t).norm(), 1e-8) << what << ", " << name;
+          EXPECT_LT(rotationAngle(a.state.cells[cell].R.transpose() * b.state.cells[cell].R), 1e-6) << what << name;
+          const Matrix6d& own = a.covariance->cell(cell);
+          expectNear(b.covariance->cell(cell), own, own.norm(), name);
+          const double full = std::sqrt(own.norm() * a.covariance->cell(0).norm());
+          expectNear(b.covariance->between(0, cell), a.covariance->between(0, cell), full, name + " and 0");
+        }
+        for (std::size_t k = 0; k < example.problem.links.size(); ++k) {
+          const GlobalLink& link = example.problem.links[k];
+          const double full = std::sqrt(a.covariance->cell(link.c).norm() * a.covariance->cell(link.n).norm());
+          expectNear(b.covariance->link(k), a.covariance->link(k), full, "link " + std::to_string(k));
+        }
+        for (std::size_t pose = 0; pose < poses; ++pose) {
+          const Eigen::Matrix3d own = a.covariance->force(pose);
+          expectNear(b.covariance->force(pose), own, own.norm(), "pose " + std::to_string(pose));
+          expectNear(b.covariance->forces(pose, 0), a.covariance->forces(pose, 0),
+                     std::sqrt(own.norm() * a.covariance->force(0).norm()), "poses " + std::to_string(pose) + " and 0");
+        }
+        EXPECT_NEAR(b.covariance->gapShareSigma(), a.covariance->gapShareSigma(), 1e-7) << what;
+        const Eigen::MatrixXd B =
+            Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(6 * example.problem.cellCount()), 20);
+        const Eigen::MatrixXd times_b = a.covariance->timesCells(B);
+        expectNear(b.covariance->timesCells(B), times_b, times_b.norm(), "all cells");
+      }
+    }
+  }
+}
+
+TEST(GlobalOrder, FollowsTheSizes) {
+  const auto orderOf = [](std::size_t cells, std::size_t poses, bool accelerations, std::size_t readings = 1) {
+    GlobalProblem problem;
+    problem.readings.assign(cells, std::vector<CellReading>(readings));
+    problem.poses = poses;
+    problem.gap = kFitGap;
+    problem.accelerations = accelerations;
+    return cheaperOrder(problem);
+  };
+  EXPECT_EQ(orderOf(17, 4, false), GlobalOrder::CellsFirst);
+  EXPECT_EQ(orderOf(10'000, 6, false), GlobalOrder::CellsFirst);
+  EXPECT_EQ(orderOf(17, 3000, false), GlobalOrder::PosesFirst);
+  EXPECT_EQ(orderOf(100, 1000, false), GlobalOrder::PosesFirst);
+  EXPECT_EQ(orderOf(17, 3000, true), GlobalOrder::CellsFirst) << "accelerations tie poses to places";
+  EXPECT_EQ(orderOf(17, 3000, false, 0), GlobalOrder::CellsFirst) << "there is nothing to eliminate";
+  EXPECT_EQ(orderOf(1, 3000, false), GlobalOrder::CellsFirst) << "the origin does not move";
+}
+
+}  // namespace
+}  // namespace hexoderm
