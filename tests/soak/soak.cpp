@@ -7,6 +7,7 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/session/session_recorder.h"
+#include "hexoderm/sim/simulated_source.h"
 #include "tests/support/temporary_folder.h"
 
 #include <unistd.h>
@@ -203,6 +204,7 @@ int soak(double minutes, double growth_mib) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  addSimulatedSources();
   double minutes = 5;
   double growth_mib = 4;
   for (int k = 1; k + 1 < argc; k += 2) {
