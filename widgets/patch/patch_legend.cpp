@@ -65,11 +65,7 @@ PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const QFont&
     const QString beyond = limitBeyondInWords(*content_.scale);
     if (!beyond.isEmpty()) title_ += QStringLiteral(" · ") + beyond;
     state_ = scaleStateWord(*content_.scale);
-    if (content_.some_unknown) {
-      classes_.push_back({notKnownWord(), [color = toQColor(colors_.no_data)](QPainter& painter, double x, double y) {
-                            painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
-                          }});
-    }
+    if (content_.some_unknown) addSwatch(notKnownWord(), colors_.no_data);
   } else {
     addClasses();
   }
@@ -77,14 +73,15 @@ PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const QFont&
   layOut(button);
 }
 
+void PatchLegend::addSwatch(const QString& word, const Rgb& color) {
+  classes_.push_back({word, [color = toQColor(color)](QPainter& painter, double x, double y) {
+                        painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
+                      }});
+}
+
 void PatchLegend::addClasses() {
-  const auto swatch = [this](const QString& word, const Rgb& color) {
-    classes_.push_back({word, [color = toQColor(color)](QPainter& painter, double x, double y) {
-                          painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
-                        }});
-  };
   if (isQuantity(content_.coloring)) {
-    swatch(QStringLiteral("%1: %2").arg(patchTitle(content_.coloring), notKnownWord()), colors_.no_data);
+    addSwatch(QStringLiteral("%1: %2").arg(patchTitle(content_.coloring), notKnownWord()), colors_.no_data);
     return;
   }
   if (content_.coloring == Coloring::LinkQuality) {
@@ -94,19 +91,19 @@ void PatchLegend::addClasses() {
              drawStroke(painter, stroke, QLineF(x, y, x + kSample, y), 3);
            }});
     }
-    if (content_.some_unknown) swatch(PatchLegendWords::tr("no link"), colors_.no_data);
+    if (content_.some_unknown) addSwatch(PatchLegendWords::tr("no link"), colors_.no_data);
     return;
   }
   const bool by_part = content_.coloring == Coloring::BodyPart;
   const std::size_t count = by_part ? content_.body_parts.size() : content_.patches;
   for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
-    swatch(by_part ? content_.body_parts[k] : patchWord(k), categoryColor(colors_, k, count));
+    addSwatch(by_part ? content_.body_parts[k] : patchWord(k), categoryColor(colors_, k, count));
   }
   if (count > kMaxCategories) {
     classes_.push_back(
         {PatchLegendWords::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
   }
-  if (by_part && content_.some_unknown) swatch(notKnownWord(), colors_.no_data);
+  if (by_part && content_.some_unknown) addSwatch(notKnownWord(), colors_.no_data);
 }
 
 void PatchLegend::addSigns() {
