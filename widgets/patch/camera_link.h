@@ -4,6 +4,7 @@
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
+#include <array>
 
 namespace hexoderm {
 
@@ -11,17 +12,17 @@ namespace hexoderm {
 class CameraLink {
  public:
   /// Both views outlive the link. Without OpenGL it does nothing.
-  CameraLink(PatchView& a, PatchView& b) {
-    first_.view = &a;
-    second_.view = &b;
-    if (a.camera() == nullptr || b.camera() == nullptr) return;
-    first_.observer = a.camera()->AddObserver(vtkCommand::ModifiedEvent, this, &CameraLink::onFirst);
-    second_.observer = b.camera()->AddObserver(vtkCommand::ModifiedEvent, this, &CameraLink::onSecond);
+  CameraLink(PatchView& a, PatchView& b) : views_{&a, &b} {
+    for (std::size_t k = 0; k < 2; ++k) {
+      vtkCamera* camera = views_.at(k)->camera();
+      if (camera != nullptr)
+        observers_.at(k) = camera->AddObserver(vtkCommand::ModifiedEvent, this, &CameraLink::follow);
+    }
   }
 
   ~CameraLink() {
-    for (const End& end : {first_, second_}) {
-      if (end.observer != 0) end.view->camera()->RemoveObserver(end.observer);
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (observers_.at(k) != 0) views_.at(k)->camera()->RemoveObserver(observers_.at(k));
     }
   }
 
@@ -29,17 +30,12 @@ class CameraLink {
   CameraLink& operator=(const CameraLink&) = delete;
 
  private:
-  struct End {
-    PatchView* view = nullptr;
-    unsigned long observer = 0;
-  };
-  void onFirst() { follow(first_, second_); }
-  void onSecond() { follow(second_, first_); }
-  void follow(const End& moved, const End& other) {
+  void follow(vtkObject* moved, unsigned long /*event*/, void* /*data*/) {
     if (is_following_) return;
     is_following_ = true;
-    vtkCamera* from = moved.view->camera();
-    vtkCamera* to = other.view->camera();
+    PatchView& other = *views_.at(moved == views_[0]->camera() ? 1 : 0);
+    auto* from = static_cast<vtkCamera*>(moved);
+    vtkCamera* to = other.camera();
     const unsigned long before = to->GetMTime();
     to->SetPosition(from->GetPosition());
     to->SetFocalPoint(from->GetFocalPoint());
@@ -48,12 +44,12 @@ class CameraLink {
     to->SetParallelProjection(from->GetParallelProjection());
     to->SetParallelScale(from->GetParallelScale());
     // A picture of its own, and what depends on its shape (WindowCenter, clipping), stays with each view.
-    if (to->GetMTime() != before) other.view->redraw();
+    if (to->GetMTime() != before) other.redraw();
     is_following_ = false;
   }
 
-  End first_;
-  End second_;
+  std::array<PatchView*, 2> views_;
+  std::array<unsigned long, 2> observers_{};
   bool is_following_ = false;  ///< what moves now was moved here
 };
 

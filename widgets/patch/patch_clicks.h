@@ -7,7 +7,6 @@
 #include <QMouseEvent>
 #include <QObject>
 #include <QPoint>
-#include <QPointF>
 #include <functional>
 #include <utility>
 
@@ -59,14 +58,9 @@ class PatchClicks : public QObject {
   }
 
  private:
-  /// Where the scene counts its pixels.
-  [[nodiscard]] QPointF inScene(const QPoint& position) const {
-    return canvas_->devicePixelRatioF() * QPointF(position.x(), canvas_->height() - 1 - position.y());
-  }
-
   /// Turns the picture if there is a knob.
   bool turnByKnobAt(const QPoint& position) {
-    const QPointF at = inScene(position);
+    const Eigen::Vector2d at = canvas_->pixelAt(position);
     const auto wanted = scene_.viewAt(at.x(), at.y());
     if (!wanted) return false;
     scene_.showStandardView(*wanted);
@@ -75,7 +69,7 @@ class PatchClicks : public QObject {
   }
 
   void hoverAt(const QPoint& position) {
-    const QPointF at = inScene(position);
+    const Eigen::Vector2d at = canvas_->pixelAt(position);
     if (scene_.hoverAxes(at.x(), at.y())) render_();
   }
 

@@ -35,14 +35,18 @@ struct PatchLegendWords {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::PatchLegend)
 };
 
-/// A sign on a cell, as makeSigns() draws them.
-void drawSignSample(QPainter& painter, const QColor& face, const QColor& mark, double x, double y,
-                    const QVector<QLineF>& lines, double width) {
+/// A sign on a cell, or in a disc at a port, as makeSigns() draws them.
+void drawSignSample(QPainter& painter, const QColor& ground, const QColor& mark, double x, double y,
+                    const QVector<QLineF>& lines, double width, bool is_disc) {
   const QRectF box(x + 0.5 * (kSample - 16), y - 8, 16, 16);
   painter.save();
   painter.setPen(Qt::NoPen);
-  painter.setBrush(face);
-  painter.drawRect(box);
+  painter.setBrush(ground);
+  if (is_disc) {
+    painter.drawEllipse(box.adjusted(1, 1, -1, -1));
+  } else {
+    painter.drawRect(box);
+  }
   painter.setPen(QPen(mark, width, Qt::SolidLine, Qt::FlatCap));
   for (const QLineF& line : lines) painter.drawLine(line.translated(box.center()));
   painter.restore();
@@ -65,11 +69,7 @@ PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const QFont&
     const QString beyond = limitBeyondText(*content_.scale);
     if (!beyond.isEmpty()) title_ += QStringLiteral(" · ") + beyond;
     state_ = scaleStateWord(*content_.scale);
-    if (content_.some_unknown) {
-      classes_.push_back({notKnownWord(), [color = toQColor(colors_.no_data)](QPainter& painter, double x, double y) {
-                            painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
-                          }});
-    }
+    if (content_.some_unknown) addSwatch(notKnownWord(), colors_.no_data);
   } else {
     addClasses();
   }
@@ -77,14 +77,15 @@ PatchLegend::PatchLegend(const LegendContent& content, Theme theme, const QFont&
   layOut(button);
 }
 
+void PatchLegend::addSwatch(const QString& word, const Rgb& color) {
+  classes_.push_back({word, [color = toQColor(color)](QPainter& painter, double x, double y) {
+                        painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
+                      }});
+}
+
 void PatchLegend::addClasses() {
-  const auto swatch = [this](const QString& word, const Rgb& color) {
-    classes_.push_back({word, [color = toQColor(color)](QPainter& painter, double x, double y) {
-                          painter.fillRect(QRectF(x, y - 5, kSample, 10), color);
-                        }});
-  };
   if (isQuantity(content_.coloring)) {
-    swatch(QStringLiteral("%1: %2").arg(patchTitle(content_.coloring), notKnownWord()), colors_.no_data);
+    addSwatch(QStringLiteral("%1: %2").arg(patchTitle(content_.coloring), notKnownWord()), colors_.no_data);
     return;
   }
   if (content_.coloring == Coloring::LinkQuality) {
@@ -94,27 +95,28 @@ void PatchLegend::addClasses() {
              drawStroke(painter, stroke, QLineF(x, y, x + kSample, y), 3);
            }});
     }
-    if (content_.some_unknown) swatch(PatchLegendWords::tr("no link"), colors_.no_data);
+    if (content_.some_unknown) addSwatch(PatchLegendWords::tr("no link"), colors_.no_data);
     return;
   }
   const bool by_part = content_.coloring == Coloring::BodyPart;
   const std::size_t count = by_part ? content_.body_parts.size() : content_.patches;
   for (std::size_t k = 0; k < std::min(count, kMaxCategories); ++k) {
-    swatch(by_part ? content_.body_parts[k] : patchWord(k), categoryColor(colors_, k, count));
+    addSwatch(by_part ? content_.body_parts[k] : patchWord(k), categoryColor(colors_, k, count));
   }
   if (count > kMaxCategories) {
     classes_.push_back(
         {PatchLegendWords::tr("and %1 more").arg(count - kMaxCategories), [](QPainter&, double, double) {}});
   }
-  if (by_part && content_.some_unknown) swatch(notKnownWord(), colors_.no_data);
+  if (by_part && content_.some_unknown) addSwatch(notKnownWord(), colors_.no_data);
 }
 
 void PatchLegend::addSigns() {
   const QColor face = Colors::of(theme_).border;
   const QColor mark = Colors::of(theme_).text;
-  const auto add = [&](const QString& word, const QVector<QLineF>& lines, double width) {
-    signs_.push_back({word, [face, mark, lines, width](QPainter& painter, double x, double y) {
-                        drawSignSample(painter, face, mark, x, y, lines, width);
+  const auto add = [&](const QString& word, const QVector<QLineF>& lines, double width, bool is_disc = false) {
+    signs_.push_back({word, [=](QPainter& painter, double x, double y) {
+                        drawSignSample(painter, is_disc ? mark : face, is_disc ? face : mark, x, y, lines, width,
+                                       is_disc);
                       }});
   };
   if (content_.some_faulty) {
@@ -128,17 +130,8 @@ void PatchLegend::addSigns() {
         {QLineF(-8, -5, 8, -5), QLineF(-8, 0, 8, 0), QLineF(-8, 5, 8, 5)}, 1.4);
   }
   if (content_.some_links) {
-    signs_.push_back({PatchLegendWords::tr("link with a finding"), [face, mark](QPainter& painter, double x, double y) {
-                        painter.save();
-                        painter.setPen(Qt::NoPen);
-                        painter.setBrush(mark);
-                        painter.drawEllipse(QPointF(x + 0.5 * kSample, y), 7, 7);
-                        painter.setPen(QPen(face, 2));
-                        for (const QLineF& arm : {QLineF(-3.5, -3.5, 3.5, 3.5), QLineF(-3.5, 3.5, 3.5, -3.5)}) {
-                          painter.drawLine(arm.translated(x + 0.5 * kSample, y));
-                        }
-                        painter.restore();
-                      }});
+    add(PatchLegendWords::tr("link with a finding"), {QLineF(-3.5, -3.5, 3.5, 3.5), QLineF(-3.5, 3.5, 3.5, -3.5)}, 2,
+        true);
   }
 }
 

@@ -66,6 +66,7 @@ class PatchLegend {
     int width = 0;  ///< of the widest row
   };
 
+  void addSwatch(const QString& word, const Rgb& color);
   void addClasses();
   void addSigns();
   [[nodiscard]] Rows arranged(std::vector<Entry> entries, int room) const;

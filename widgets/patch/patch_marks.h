@@ -9,6 +9,7 @@
 #include <QString>
 #include <QWidget>
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -154,8 +155,7 @@ class PatchMarks : public QWidget {
     painter.restore();
   }
 
-  /// Where it covers none of `taken`, to which it is added.
-  /// On the side of the mark where there is room for it.
+  /// On the side of the mark where there is room for it, where it covers none of `taken`, to which it is added.
   void paintTag(QPainter& painter, const SceneMark& mark, const QColor& ground, const QColor& ink,
                 std::vector<QRectF>& taken) const {
     if (mark.tag.isEmpty()) return;
@@ -177,22 +177,17 @@ class PatchMarks : public QWidget {
     const double to_right = around.right() - 2;
     const double to_left = around.left() + 2 - size.width();
     const double beside = around.center().y() - size.height() / 2;
-    QRectF plate;
-    for (const QPointF& corner : {QPointF(to_right, above), QPointF(to_left, above), QPointF(to_right, below),
-                                  QPointF(to_left, below), QPointF(to_right + kAside, beside)}) {
+    const std::array<QPointF, 5> corners = {QPointF(to_right, above), QPointF(to_left, above), QPointF(to_right, below),
+                                            QPointF(to_left, below), QPointF(to_right + kAside, beside)};
+    const auto found = std::ranges::find_if(corners, [&](const QPointF& corner) {
       const QRectF place(corner, size);
-      const auto covers = [&](const QRectF& other) { return other.intersects(place); };
-      if (!inside.contains(place) || std::ranges::any_of(taken, covers)) continue;
-      plate = place;
-      break;
-    }
-    if (plate.isNull() && mark.sign && !taken.empty()) {
-      // Many lie close together: a tag over another would hide both.
-      painter.restore();
-      return;
-    }
-    if (plate.isNull()) {
-      plate = {QPointF(to_right, above), size};
+      return inside.contains(place) &&
+             std::ranges::none_of(taken, [&](const QRectF& other) { return other.intersects(place); });
+    });
+    // Many lie close together: a tag over another would hide both.
+    if (found == corners.end() && mark.sign && !taken.empty()) return painter.restore();
+    QRectF plate(found == corners.end() ? corners.front() : *found, size);
+    if (found == corners.end()) {
       if (plate.top() < inside.top()) plate.moveTop(below);
       plate.moveLeft(std::clamp(plate.left(), kAside, std::max(kAside, width() - kAside - plate.width())));
     }

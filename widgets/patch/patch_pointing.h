@@ -7,6 +7,7 @@
 #include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/found_places.h"
 #include "widgets/patch/patch_marks.h"
+#include "widgets/patch/scene_widget.h"
 #include "widgets/scene/camera_glide.h"
 #include "widgets/scene/patch_scene.h"
 #include "widgets/scene/scene_pointing.h"
@@ -39,7 +40,8 @@ class PatchPointing : public QObject {
 
  public:
   /// `canvas` lies inside `view` and fills it; `render` asks for a picture soon. All but `canvas` must outlive this.
-  PatchPointing(QWidget* view, QWidget* canvas, PatchScene& scene, Selection* selection, std::function<void()> render)
+  PatchPointing(QWidget* view, SceneWidget* canvas, PatchScene& scene, Selection* selection,
+                std::function<void()> render)
       : view_(view),
         canvas_(canvas),
         scene_(scene),
@@ -128,7 +130,7 @@ class PatchPointing : public QObject {
 
   /// The cell at a position of the canvas.
   [[nodiscard]] std::optional<CellId> cellAt(const QPoint& position) const {
-    const Eigen::Vector2d pixel = inScene(position);
+    const Eigen::Vector2d pixel = canvas_->pixelAt(position);
     return scene_.pick(pixel.x(), pixel.y());
   }
 
@@ -418,14 +420,9 @@ class PatchPointing : public QObject {
   }
 
   [[nodiscard]] SceneHit picked() const { return {selection_->cell(), selection_->link()}; }
-  /// The pixel of the scene at a position of the canvas.
-  [[nodiscard]] Eigen::Vector2d inScene(const QPoint& position) const {
-    return canvas_->devicePixelRatioF() * Eigen::Vector2d(position.x(), canvas_->height() - 1 - position.y());
-  }
-
   [[nodiscard]] SceneHit hitAtPosition(const QPoint& position) {
     if (only_cells_) return {cellAt(position), std::nullopt};
-    return hitAt(scene_, inScene(position), kSlack_px * canvas_->devicePixelRatioF());
+    return hitAt(scene_, canvas_->pixelAt(position), kSlack_px * canvas_->devicePixelRatioF());
   }
 
   [[nodiscard]] Figures figuresOf(const SceneHit& hit) const {
@@ -502,7 +499,7 @@ class PatchPointing : public QObject {
   }
 
   QWidget* view_;
-  QWidget* canvas_;
+  SceneWidget* canvas_;
   PatchScene& scene_;
   Selection* selection_;
   std::function<void()> render_;

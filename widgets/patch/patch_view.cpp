@@ -67,12 +67,14 @@ struct PatchView::Parts : public QObject {
   PatchMoment moment;
 
   const OpenGlInfo opengl = queryOpenGl();
-  SceneWidget* canvas = nullptr;        ///< null without OpenGL
-  std::unique_ptr<PatchScene> scene;    ///< likewise
-  std::unique_ptr<PatchClicks> clicks;  ///< likewise
+  // Null without OpenGL. The scene gives its OpenGL objects back while the context is still there, and Qt sends a leave
+  // event to a canvas that is deleted under the mouse: each goes before those above it.
+  std::unique_ptr<SceneWidget> canvas;
+  std::unique_ptr<PatchScene> scene;
+  std::unique_ptr<PatchClicks> clicks;
   std::unique_ptr<SceneBuilder> builder;
-  PartMotion* motion = nullptr;       ///< likewise
-  PatchPointing* pointing = nullptr;  ///< likewise
+  std::unique_ptr<PartMotion> motion;
+  std::unique_ptr<PatchPointing> pointing;
   PatchCaptions* captions = nullptr;
   PatchControls* controls = nullptr;
   PatchLegendView* legend_view = nullptr;
@@ -103,9 +105,9 @@ struct PatchView::Parts : public QObject {
     }
     if (controls != nullptr) controls->raise();
     if (canvas != nullptr) {
-      motion = new PartMotion(view, canvas, controls->turnButton(), *scene, [this] { requestRender(); });
-      motion->setParent(this);
-      connect(motion, &PartMotion::turnRequested, view, &PatchView::turnRequested);
+      motion =
+          std::make_unique<PartMotion>(view, canvas.get(), controls->turnButton(), *scene, [this] { requestRender(); });
+      connect(motion.get(), &PartMotion::turnRequested, view, &PatchView::turnRequested);
       buildPointing();
     }
     connect(selection, &Selection::changed, this, [this] { updateSelection(); });
@@ -120,7 +122,7 @@ struct PatchView::Parts : public QObject {
   }
 
   void buildScene(QGridLayout* layout) {
-    canvas = new SceneWidget(opengl.software, view);
+    canvas = std::make_unique<SceneWidget>(opengl.software, view);
     vtkRenderWindow* window = canvas->renderWindow();
     canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
     canvas->setFocusPolicy(Qt::NoFocus);
@@ -128,10 +130,10 @@ struct PatchView::Parts : public QObject {
     window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
     scene = std::make_unique<PatchScene>();
     scene->attachTo(window);
-    clicks = std::make_unique<PatchClicks>(canvas, *scene, [this] { requestRender(); });
+    clicks = std::make_unique<PatchClicks>(canvas.get(), *scene, [this] { requestRender(); });
     builder = std::make_unique<SceneBuilder>(
         [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
-    layout->addWidget(canvas, 0, 0, 2, 1);
+    layout->addWidget(canvas.get(), 0, 0, 2, 1);
     controls = new PatchControls(view);
     controls->setRenderer(openGlText(opengl));
     layout->addWidget(controls, 0, 0);
@@ -141,12 +143,11 @@ struct PatchView::Parts : public QObject {
 
   /// After the motion, so that it hears of the mouse also where that turns the part.
   void buildPointing() {
-    pointing = new PatchPointing(view, canvas, *scene, selection, [this] { requestRender(); });
-    pointing->setParent(this);
-    connect(clicks.get(), &PatchClicks::clicked, pointing, &PatchPointing::pickAt);
+    pointing = std::make_unique<PatchPointing>(view, canvas.get(), *scene, selection, [this] { requestRender(); });
+    connect(clicks.get(), &PatchClicks::clicked, pointing.get(), &PatchPointing::pickAt);
     connect(clicks.get(), &PatchClicks::menuWanted, this, &Parts::openMenuAt);
-    connect(controls, &PatchControls::coloringChosen, pointing, &PatchPointing::setColoring);
-    connect(controls, &PatchControls::heightChanged, pointing, &PatchPointing::setTopMargin);
+    connect(controls, &PatchControls::coloringChosen, pointing.get(), &PatchPointing::setColoring);
+    connect(controls, &PatchControls::heightChanged, pointing.get(), &PatchPointing::setTopMargin);
     // What has the mouse or the keyboard lies above what lets both through.
     controls->raise();
     pointing->raise();
@@ -376,16 +377,7 @@ PatchView::PatchView(Selection* selection, QWidget* parent)
   parts_->build();
 }
 
-PatchView::~PatchView() {
-  delete parts_->pointing;
-  delete parts_->motion;
-  parts_->builder.reset();
-  // Qt sends a leave event to a canvas that is deleted under the mouse.
-  parts_->clicks.reset();
-  // The scene gives its OpenGL objects back while the context is still there.
-  parts_->scene.reset();
-  delete parts_->canvas;
-}
+PatchView::~PatchView() = default;
 
 void PatchView::setReconstruction(std::shared_ptr<const Reconstruction> reconstruction) {
   parts_->reconstruction = std::move(reconstruction);

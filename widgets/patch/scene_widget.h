@@ -5,6 +5,7 @@
 #include <QVTKInteractorAdapter.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
+#include <Eigen/Core>
 #include <QColor>
 #include <QImage>
 #include <QOffscreenSurface>
@@ -44,6 +45,10 @@ class SceneWidget : public QWidget {
 
   /// Seen where a picture of another size does not reach.
   void setBackground(const QColor& color);
+  /// The pixel of the window (origin lower left) at a position of the widget.
+  [[nodiscard]] Eigen::Vector2d pixelAt(const QPoint& position) const {
+    return devicePixelRatioF() * Eigen::Vector2d(position.x(), height() - 1 - position.y());
+  }
   /// The last picture; drawn now if there is none or its size has changed.
   [[nodiscard]] QImage picture();
 

@@ -120,21 +120,16 @@ void RobotView::lookAtSkin(std::optional<std::size_t> patch) {
   requestRender();
 }
 
-std::pair<double, double> RobotView::pixelAt(const QPoint& position) const {
-  const double ratio = canvas_->devicePixelRatioF();
-  return {ratio * position.x(), ratio * (canvas_->height() - 1 - position.y())};
-}
-
 void RobotView::pickAt(const QPoint& position) {
-  const auto [x, y] = pixelAt(position);
-  const auto picked = scene_->pick(x, y);
+  const Eigen::Vector2d pixel = canvas_->pixelAt(position);
+  const auto picked = scene_->pick(pixel.x(), pixel.y());
   if (picked) emit pointPicked(picked->link, picked->x_l);
 }
 
 bool RobotView::beginPulling(const QPoint& position) {
   if (picking_ || !picture_.movable) return false;
-  const auto [x, y] = pixelAt(position);
-  const auto grip = scene_->grip(x, y);
+  const Eigen::Vector2d pixel = canvas_->pixelAt(position);
+  const auto grip = scene_->grip(pixel.x(), pixel.y());
   if (!grip || grip->patch != *picture_.movable) return false;
   pulling_ = true;
   showCursor();
@@ -146,8 +141,8 @@ bool RobotView::beginPulling(const QPoint& position) {
 /// Beside the link the patch stays where it was last.
 void RobotView::pullTo(const QPoint& position) {
   if (!picture_.movable) return;
-  const auto [x, y] = pixelAt(position);
-  const auto picked = scene_->pick(x, y);
+  const Eigen::Vector2d pixel = canvas_->pixelAt(position);
+  const auto picked = scene_->pick(pixel.x(), pixel.y());
   if (picked && picked->link == picture_.patches[*picture_.movable].link) emit pulledTo(picked->x_l);
 }
 

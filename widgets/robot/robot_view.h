@@ -8,7 +8,6 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
-#include <utility>
 
 namespace hexoderm {
 
@@ -70,7 +69,6 @@ class RobotView : public QWidget {
   void dress();
   void requestRender();
   void pickAt(const QPoint& position);
-  [[nodiscard]] std::pair<double, double> pixelAt(const QPoint& position) const;
   bool beginPulling(const QPoint& position);
   void pullTo(const QPoint& position);
   bool moveByKey(const QKeyEvent& event);

@@ -13,7 +13,7 @@
 #include <cmath>
 #include <map>
 #include <string>
-#include <vector>
+#include <utility>
 
 namespace hexoderm {
 
@@ -30,55 +30,30 @@ class LabelAtlas {
 
   /// Draws the digits anew if this is another density of pixels; true if it has.
   bool setDpi(int dpi) {
-    if (dpi == dpi_) return false;
-    dpi_ = dpi;
-    vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
-    vtkNew<vtkTextProperty> letters;
-    letters->SetColor(1, 1, 1);
-    letters->BoldOn();
-    std::vector<std::array<DrawnDigit, 10>> drawn(LabelChoice::kFonts.size());
-    int width = 1;
+    if (std::exchange(dpi_, dpi) == dpi) return false;
     int height = 0;
-    for (std::size_t row = 0; row < drawn.size(); ++row) {
-      letters->SetFontSize(LabelChoice::kFonts.at(row));
-      int row_width = 0;
-      int row_height = 0;
-      std::array<Glyph, 10>& glyphs = glyphs_[LabelChoice::kFonts.at(row)];
-      for (std::size_t digit = 0; digit < 10; ++digit) {
-        DrawnDigit& one = drawn[row].at(digit);
-        if (!renderer->RenderString(letters, std::to_string(digit), one.image, one.size.data(), dpi)) one.size = {0, 0};
-        // Digits have no descenders: without the room for these they stand in the middle of their cells.
-        int lowest = 0;
-        int above = one.size[1];
-        while (lowest < above && one.isEmptyRow(lowest)) ++lowest;
-        while (above > lowest && one.isEmptyRow(above - 1)) --above;
-        one.lowest = lowest;
-        glyphs.at(digit) = {row_width, height, one.size[0], above - lowest};
-        row_width += one.size[0] + kGap;
-        row_height = std::max(row_height, above - lowest);
-      }
-      width = std::max(width, row_width);
-      height += row_height + kGap;
-    }
+    for (const int font_px : LabelChoice::kFonts) height += cellOf(font_px);
     picture_ = vtkSmartPointer<vtkImageData>::New();
-    picture_->SetDimensions(width, height, 1);
+    picture_->SetDimensions(10 * cellOf(LabelChoice::kFonts.back()), height, 1);
     picture_->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
     auto* pixels = static_cast<unsigned char*>(picture_->GetScalarPointer());
-    for (int k = 0; k < width * height; ++k) {
-      std::fill_n(pixels + 4 * static_cast<std::ptrdiff_t>(k), 3, static_cast<unsigned char>(255));
-      pixels[4 * static_cast<std::ptrdiff_t>(k) + 3] = 0;
-    }
-    for (std::size_t row = 0; row < drawn.size(); ++row) {
-      for (std::size_t digit = 0; digit < 10; ++digit) {
-        const Glyph& to = glyphs_[LabelChoice::kFonts.at(row)].at(digit);
-        const DrawnDigit& one = drawn[row].at(digit);
-        for (int y = 0; y < to.height; ++y) {
-          for (int x = 0; x < to.width; ++x) {
-            pixels[4 * (static_cast<std::ptrdiff_t>(to.bottom + y) * width + to.left + x) + 3] =
-                one.inkAt(x, one.lowest + y);
-          }
+    std::fill_n(pixels, 4 * picture_->GetNumberOfPoints(), static_cast<unsigned char>(255));
+    for (vtkIdType k = 0; k < picture_->GetNumberOfPoints(); ++k) pixels[4 * k + 3] = 0;
+    const vtkNew<vtkTextProperty> letters;
+    letters->SetColor(1, 1, 1);
+    letters->BoldOn();
+    int bottom = 0;
+    for (const int font_px : LabelChoice::kFonts) {
+      letters->SetFontSize(font_px);
+      for (int digit = 0; digit < 10; ++digit) {
+        const vtkNew<vtkImageData> image;
+        std::array<int, 2> size{};
+        if (!vtkTextRenderer::GetInstance()->RenderString(letters, std::to_string(digit), image, size.data(), dpi)) {
+          size = {0, 0};
         }
+        glyphs_[font_px].at(static_cast<std::size_t>(digit)) = copy(image, size, digit * cellOf(font_px), bottom);
       }
+      bottom += cellOf(font_px);
     }
     return true;
   }
@@ -93,23 +68,28 @@ class LabelAtlas {
   }
 
  private:
-  static constexpr int kGap = 1;  // between two digits, so that none shows the edge of its neighbour
-  struct DrawnDigit {
-    vtkNew<vtkImageData> image;
-    std::array<int, 2> size{};  ///< of the image's part that is the digit
-    int lowest = 0;             ///< row with ink
+  /// Side of the square in which a digit of this size has room.
+  [[nodiscard]] int cellOf(int font_px) const { return 2 * font_px * dpi_ / 72; }
+  [[nodiscard]] static unsigned char& inkAt(vtkImageData* image, int x, int y) {
+    const int* extent = image->GetExtent();
+    return static_cast<unsigned char*>(image->GetScalarPointer(extent[0] + x, extent[2] + y, 0))[3];
+  }
 
-    [[nodiscard]] unsigned char inkAt(int x, int y) const {
-      const int* extent = image->GetExtent();
-      return static_cast<const unsigned char*>(image->GetScalarPointer(extent[0] + x, extent[2] + y, 0))[3];
-    }
-    [[nodiscard]] bool isEmptyRow(int y) const {
+  /// Without the rows that have no ink: digits have no descenders, and without the room for these they stand in the
+  /// middle of their cells.
+  Glyph copy(vtkImageData* image, const std::array<int, 2>& size, int left, int bottom) {
+    Glyph glyph{left, bottom, size[0], 0};
+    for (int y = 0; y < size[1]; ++y) {
+      bool any = false;
       for (int x = 0; x < size[0]; ++x) {
-        if (inkAt(x, y) > 0) return false;
+        const unsigned char ink = inkAt(image, x, y);
+        inkAt(picture_, left + x, bottom + glyph.height) = ink;
+        any = any || ink > 0;
       }
-      return true;
+      if (any) ++glyph.height;
     }
-  };
+    return glyph;
+  }
 
   int dpi_ = 0;
   vtkSmartPointer<vtkImageData> picture_;

@@ -118,10 +118,8 @@ class PatchScene {
 
   /// Draws anew only the overlays that are other ones than before.
   void setOverlays(const PatchOverlays& overlays) {
-    const bool other_surface = overlays.surface != overlays_.surface;
-    overlays_ = overlays;
     drawn_overlays_.setOverlays(overlays);
-    if (!other_surface) return;
+    if (std::exchange(surface_, overlays.surface) == overlays.surface) return;
     std::unordered_map<CellId, double> distance_m;
     if (const SurfaceEvaluation* surface = overlays.surface.get()) {
       for (std::size_t k = 0; k < surface->cells.size(); ++k) distance_m[surface->cells[k]] = surface->distance_m[k];
@@ -130,7 +128,6 @@ class PatchScene {
     recolor();
   }
 
-  [[nodiscard]] const PatchOverlays& overlays() const { return overlays_; }
   /// The enlargement of the differences with another calibration; none: as far as they can be told apart.
   void setShiftFactor(std::optional<double> factor) { drawn_overlays_.setShiftFactor(factor); }
   /// Draws anew only what has changed since the moment before. Cells without a reading are neutral.
@@ -264,12 +261,6 @@ class PatchScene {
 
   [[nodiscard]] const SceneContent* content() const { return content_.get(); }
   [[nodiscard]] const CellReadings& readings() const { return skin_.readings(); }
-  /// The values that the cells are coloured by, in the unit that is shown; for the legend.
-  [[nodiscard]] std::vector<std::optional<double>> values() const {
-    if (!content_) return {};
-    return cellValues(skin_.coloring(), content_->figures, skin_.readings());
-  }
-
   /// The scale of the colouring, if that is one of a quantity and cells are shown.
   [[nodiscard]] std::optional<ScaleLegend> scale() const { return skin_.scale(); }
   /// True if the arrow of gravity is there: not without a pose, nor while it is switched off.
@@ -376,7 +367,7 @@ class PatchScene {
   std::optional<CellId> picked_cell_;
   std::vector<CellId> brushed_;
   PatchMoment moment_;
-  PatchOverlays overlays_;
+  std::shared_ptr<const SurfaceEvaluation> surface_;
   std::optional<double> cut_share_;
   std::optional<SceneCut> cut_;
   bool text_visible_ = true;

@@ -136,8 +136,6 @@ class SceneCamera {
     up_o_ = up_o;
   }
 
-  /// True while an up direction is followed.
-  [[nodiscard]] bool isFollowing() const { return up_o_.has_value(); }
   /// Makes the part seem to turn about `up_o`, counter-clockwise seen from above; none: about the picture's vertical.
   void spin(const std::optional<Eigen::Vector3d>& up_o, double angle_rad) {
     const bool untouched = isUntouched();

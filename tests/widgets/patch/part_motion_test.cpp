@@ -12,11 +12,10 @@
 #include <QElapsedTimer>
 #include <QToolButton>
 #include <random>
+#include <utility>
 
 namespace hexoderm {
 namespace {
-
-Eigen::Vector3d toEigen(const double* v) { return {v[0], v[1], v[2]}; }
 
 /// A unit vector of the patch frame in the picture: right, up, towards the viewer.
 Eigen::Vector3d inPicture(vtkCamera* camera, const Eigen::Vector3d& v) {
@@ -26,49 +25,23 @@ Eigen::Vector3d inPicture(vtkCamera* camera, const Eigen::Vector3d& v) {
   return {up.cross(back).dot(v), up.dot(v), back.dot(v)};
 }
 
-Eigen::Vector3d randomUp(std::mt19937& random) {
-  std::normal_distribution<double> normal;
-  return test::randomVector([&] { return normal(random); }).normalized();
-}
-
-TEST(PartCamera, UpIsUpwardsInThePictureAndSeenFromAsFarAboveAsBefore) {
+TEST(PartCamera, UpStaysUpwardsFromAsFarAboveAndSpinningTurnsTheFrontToTheRight) {
   std::mt19937 random(5);
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(0.3, 0.2, 0.1);
+  std::normal_distribution<double> normal;
+  const vtkNew<vtkCamera> camera;
+  camera->SetPosition(0, 0, 1);
   Eigen::Vector3d up = Eigen::Vector3d::UnitY();
   standCameraUpright(camera, up);
   for (int k = 0; k < 100; ++k) {
-    const Eigen::Vector3d next = randomUp(random);
-    turnCameraWithPart(camera, up, next);
-    up = next;
+    const Eigen::Vector3d next = test::randomVector([&] { return normal(random); }).normalized();
+    turnCameraWithPart(camera, std::exchange(up, next), next);
     const Eigen::Vector3d seen = inPicture(camera, up);
     EXPECT_NEAR(seen.x(), 0, 1e-6);
     EXPECT_NEAR(toDegrees(std::asin(seen.z())), 20, 1e-4) << "elevation";
     EXPECT_GT(seen.y(), 0);
   }
-}
-
-TEST(PartCamera, ThePartDoesNotSpinAboutGravityInThePicture) {
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(0, 0.1, 0.4);
-  Eigen::Vector3d up = Eigen::Vector3d::UnitY();
-  standCameraUpright(camera, up);
   const Eigen::Vector3d right = rightInPicture(camera, up);
-  // Tilted by 80 degrees about the picture's right in small steps: that axis stays where it is.
-  for (int k = 0; k < 80; ++k) {
-    const Eigen::Vector3d next = expSO3(-kDegree * right) * up;
-    turnCameraWithPart(camera, up, next);
-    up = next;
-  }
-  EXPECT_NEAR(inPicture(camera, right).x(), 1, 1e-6);
-}
-
-TEST(PartCamera, SpinningTurnsTheFrontToTheRight) {
-  vtkNew<vtkCamera> camera;
-  camera->SetPosition(0, 0, 1);
-  const Eigen::Vector3d up = Eigen::Vector3d::UnitY();
-  standCameraUpright(camera, up);
-  const Eigen::Vector3d front = Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d front = right.cross(up);
   EXPECT_NEAR(inPicture(camera, front).x(), 0, 1e-9);
   spinPartInPicture(camera, up, 30 * kDegree);
   EXPECT_NEAR(inPicture(camera, front).x(), 0.5, 1e-9);

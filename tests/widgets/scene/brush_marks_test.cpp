@@ -25,21 +25,5 @@ TEST_F(PatchSceneTest, BrushedCellsCarryARingUntilTheyAreBrushedNoMore) {
   EXPECT_EQ(differingShare(plain, picture()), 0);
 }
 
-TEST(BrushMarks, ARingHasSixSidesAndLiesOnTheFace) {
-  const auto content = makeSceneContent(shared(demoReconstruction()));
-  const std::vector<Rgb> faces(content->layout.cells.size(), Rgb{0.1, 0.1, 0.1});
-  const auto mesh = makeBrushMarks(*content, {CellId(2), CellId(99)}, faces, testColors(false));
-  EXPECT_EQ(mesh->GetNumberOfPolys(), 6);
-  const SceneCell* cell = content->layout.find(CellId(2));
-  ASSERT_NE(cell, nullptr);
-  const double side_m = content->reconstruction->model->side_m;
-  for (vtkIdType k = 0; k < mesh->GetNumberOfPoints(); ++k) {
-    const Eigen::Vector3d in_cell = cell->T_s_u.inverse() * Eigen::Vector3d(mesh->GetPoint(k));
-    EXPECT_GT(in_cell.z(), 0) << "above the face";
-    EXPECT_LT(in_cell.z(), 0.05 * side_m);
-    EXPECT_LT(in_cell.head<2>().norm(), 0.75 * side_m) << "inside of the cell";
-  }
-}
-
 }  // namespace
 }  // namespace hexoderm

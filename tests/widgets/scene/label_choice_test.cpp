@@ -180,13 +180,5 @@ TEST_F(LabelChoiceTest, WhileTheSkinTurnsOnceAnIdComesAndGoesButOnceOrTwice) {
   EXPECT_TRUE(std::ranges::any_of(changes, [](const auto& change) { return change.second > 1; }));
 }
 
-TEST_F(LabelChoiceTest, TheSameSightHasTheSameIdsWhateverWasSeenBefore) {
-  show(cylinderSheet(60, 40));
-  const SceneSight sight = looking(*content, middle(), Eigen::Vector3d(0.3, 0.1, 1), 7);
-  const auto first = chosen(sight);
-  chosen(looking(*content, middle(), Eigen::Vector3d(-1, 0.1, 0.2), 20));
-  EXPECT_EQ(chosen(sight), first);
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -135,6 +135,13 @@ class PatchSceneTest : public OffScreenTest {
     return pixelOf(reconstruction.find(id).cell->T_o_u.t);
   }
 
+  /// Where the camera is once this skin is drawn.
+  std::array<double, 3> cameraFor(const Reconstruction& skin) {
+    scene.setReconstruction(shared(skin));
+    window->Render();
+    return cameraPosition();
+  }
+
   PatchScene scene;
   PatchOverlays overlays;
   PatchMoment moment;
