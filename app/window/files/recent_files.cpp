@@ -193,6 +193,14 @@ void RecentFiles::serve(QMenu* menu, std::function<void(QString)> open) {
   fill();
 }
 
+void clearRows(QLayout& layout) {
+  while (QLayoutItem* item = layout.takeAt(0)) {
+    item->widget()->hide();
+    item->widget()->deleteLater();
+    delete item;
+  }
+}
+
 RecentList::RecentList(RecentFiles& files, std::size_t most, int title_characters, QWidget* parent)
     : QWidget(parent), files_(files), most_(most), title_characters_(title_characters) {
   setObjectName(QStringLiteral("recentList"));
@@ -205,12 +213,7 @@ RecentList::RecentList(RecentFiles& files, std::size_t most, int title_character
 void RecentList::rebuild() {
   const QWidget* focus = focusWidget();
   const QString focused = focus && focus->hasFocus() ? focus->property("recentPath").toString() : QString();
-  while (QLayoutItem* item = layout_->takeAt(0)) {
-    // The button whose press led here is still at work.
-    item->widget()->hide();
-    item->widget()->deleteLater();
-    delete item;
-  }
+  clearRows(*layout_);
   if (files_.files().empty()) {
     auto* hint = new QLabel(tr("Sessions and calibrations that you open will be listed here."));
     hint->setWordWrap(true);

@@ -10,6 +10,7 @@
 #include <functional>
 #include <vector>
 
+class QLayout;
 class QMenu;
 class QToolButton;
 
@@ -65,6 +66,9 @@ class RecentFiles : public QObject {
 QString timeText(std::int64_t at_ms);
 /// "today, 14:32 · 3 poses".
 QString describeRecent(const RecentFile& file);
+
+/// Takes all widgets out of a layout; one whose button led here is still at work.
+void clearRows(QLayout& layout);
 
 /// The recent files as a list of buttons: title, when, how many poses. Up and Down move, Return opens, Del takes a file
 /// from the list. A file that is gone is greyed and says why.

@@ -182,12 +182,7 @@ RecoveryList::RecoveryList(UnsavedSessions& sessions, QWidget* parent) : QWidget
 }
 
 void RecoveryList::rebuild() {
-  while (QLayoutItem* item = layout_->takeAt(0)) {
-    // The button whose press led here is still at work.
-    item->widget()->hide();
-    item->widget()->deleteLater();
-    delete item;
-  }
+  clearRows(*layout_);
   for (const UnsavedSession& session : sessions_.all()) {
     QWidget* row = makeRow(session);
     layout_->addWidget(row);

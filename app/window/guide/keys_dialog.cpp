@@ -81,8 +81,7 @@ std::vector<KeyGroup> keysOf(const QMenuBar& menus) {
 
 void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   if (auto* open = parent->findChild<QDialog*>(QStringLiteral("keysDialog"))) {
-    open->raise();
-    open->activateWindow();
+    bringToFront(open);
     return;
   }
   auto* dialog = new QDialog(parent);

@@ -1,6 +1,7 @@
 #include "app/window/presenters/presenters.h"
 
 #include "app/window/session/verification.h"
+#include "app/window/toolkit/deferred_dialog.h"
 #include "hexoderm/solve/checks/evaluation.h"
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/patch/compare_view.h"
@@ -60,9 +61,7 @@ class ComparePresenter : public Presenter {
     // Made in one turn of the event loop and shown in a later one, so that clicks and keys wait for one of them at a
     // time.
     QTimer::singleShot(1, dialog_, [this] {
-      dialog_->show();
-      dialog_->raise();
-      dialog_->activateWindow();
+      bringToFront(dialog_);
       showComparison();
     });
   }

@@ -2,6 +2,7 @@
 
 #include "app/window/guide/guide_window.h"
 #include "app/window/guide/keys_dialog.h"
+#include "app/window/toolkit/deferred_dialog.h"
 
 #include <QLayout>
 #include <QMessageBox>
@@ -18,9 +19,7 @@ void showGuide(const WindowParts& parts) {
     guide->setKeys(*parts.views.menus);
   }
   guide->showPage(page);
-  guide->show();
-  guide->raise();
-  guide->activateWindow();
+  bringToFront(guide);
 }
 
 void showAbout(QWidget& window) {

@@ -12,8 +12,7 @@ namespace {
 
 void showPreferences(const WindowParts& parts, ThemePresenter& themes) {
   if (auto* open = parts.window.findChild<PreferencesDialog*>()) {
-    open->raise();
-    open->activateWindow();
+    bringToFront(open);
     return;
   }
   auto* dialog = new PreferencesDialog(parts.preferences, themes.choice(), &parts.window);

@@ -9,6 +9,7 @@
 #include <QPointer>
 #include <QProxyStyle>
 #include <QRegularExpression>
+#include <QStringList>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QTimer>
@@ -232,6 +233,9 @@ QString withoutColors(QString sheet) {
   return sheet.remove(kColor);
 }
 
+/// In the order of ThemeChoice.
+const QStringList kThemeChoices = {QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")};
+
 Theme& knownSystemTheme() {
   static Theme theme = systemTheme();
   return theme;
@@ -239,15 +243,11 @@ Theme& knownSystemTheme() {
 
 }  // namespace
 
-QString themeChoiceName(ThemeChoice choice) {
-  return ofEnum(choice, {QStringLiteral("system"), QStringLiteral("light"), QStringLiteral("dark")});
-}
+QString themeChoiceName(ThemeChoice choice) { return kThemeChoices.at(static_cast<int>(choice)); }
 
 std::optional<ThemeChoice> themeChoiceFromName(const QString& name) {
-  for (const ThemeChoice choice : {ThemeChoice::System, ThemeChoice::Light, ThemeChoice::Dark}) {
-    if (themeChoiceName(choice) == name) return choice;
-  }
-  return std::nullopt;
+  const auto at = kThemeChoices.indexOf(name);
+  return at < 0 ? std::nullopt : std::optional(static_cast<ThemeChoice>(at));
 }
 
 Theme resolveTheme(ThemeChoice choice) { return ofEnum(choice, {knownSystemTheme(), Theme::Light, Theme::Dark}); }

@@ -42,16 +42,22 @@ class InputHold : public QObject {
 
 }  // namespace
 
+void bringToFront(QWidget* window) {
+  window->show();
+  window->raise();
+  window->activateWindow();
+}
+
 void openInTurns(QDialog* dialog, Qt::WindowModality modality) {
   const bool is_modal = modality != Qt::NonModal;
   dialog->setWindowModality(modality);
   InputHold* hold =
       is_modal && dialog->parentWidget() ? new InputHold(dialog->parentWidget()->window(), dialog) : nullptr;
   QTimer::singleShot(kNextTurn_ms, dialog, [dialog, is_modal, hold] {
-    dialog->show();
-    if (!is_modal) {
-      dialog->raise();
-      dialog->activateWindow();
+    if (is_modal) {
+      dialog->show();
+    } else {
+      bringToFront(dialog);
     }
     delete hold;
   });
