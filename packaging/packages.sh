@@ -6,7 +6,7 @@ core_packages=(
   cmake
   ninja-build
   ccache
-  libassimp-dev
+  libassimp-dev # test oracle; the library does not use it
   libboost-graph-dev
   libceres-dev # test oracle; the library does not use it
   libcli11-dev

@@ -7,7 +7,6 @@
 #include <sqlite3.h>
 #include <zip.h>
 
-#include <assimp/version.h>
 #include <fmt/core.h>
 #include <google/protobuf/stubs/common.h>
 #include <kdl/config.h>
@@ -29,7 +28,6 @@ std::string dotted(std::initializer_list<unsigned int> parts) {
 
 std::vector<LibraryVersion> libraryVersions() {
   return {{"AMD", dotted({AMD_MAIN_VERSION, AMD_SUB_VERSION, AMD_SUBSUB_VERSION})},
-          {"Assimp", dotted({aiGetVersionMajor(), aiGetVersionMinor(), aiGetVersionPatch()})},
           {"Boost", dotted({BOOST_VERSION / 100'000, BOOST_VERSION / 100 % 1'000, BOOST_VERSION % 100})},
           {"Eigen", dotted({EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION})},
           {"fmt", dotted({FMT_VERSION / 10'000, FMT_VERSION / 100 % 100, FMT_VERSION % 100})},

@@ -1,33 +1,19 @@
 #pragma once
 
-// The formats that hold a mesh of the cells.
+// The formats that hold a mesh of the cells: their prisms, in PLY and OBJ in the colours of each cell's worst used
+// link. The selection says in which frame the reconstruction is.
 
 #include "hexoderm/io/export_selection.h"
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 namespace hexoderm {
 
-/// Polygons as a mesh file holds them.
-struct ExportMesh {
-  std::vector<Eigen::Vector3d> points;
-  std::vector<std::vector<std::uint32_t>> polygons;
-  std::vector<std::uint32_t> colors;  ///< 0xRRGGBB of each point; empty: the format has none
-  std::string frame;                  ///< frameText(), for formats that have comments
-};
+/// ASCII PLY in metres with uchar colours and a comment that names unit and frame.
+std::string plyText(const Reconstruction& reconstruction, const ExportSelection& selection = {});
 
-/// The prisms in metres, every point in the colour of its cell's worst used link (grey: the cell has none). The
-/// selection says in which frame the reconstruction is.
-ExportMesh plyMesh(const Reconstruction& reconstruction, const ExportSelection& selection = {});
-/// ASCII PLY with uchar colours and a comment that names unit and frame.
-std::string plyBytes(const ExportMesh& mesh, const std::string& file);
-
-/// The prisms as triangles that share no points, in the unit asked for.
-ExportMesh stlMesh(const Reconstruction& reconstruction, LengthUnit unit);
-/// Binary STL.
-std::string stlBytes(const ExportMesh& mesh, const std::string& file);
+/// Binary STL, in the unit asked for.
+std::string stlBytes(const Reconstruction& reconstruction, LengthUnit unit);
 
 /// Wavefront OBJ in metres: an object "cell_N" for each cell, its colour at each vertex ("v x y z r g b", which most
 /// programs read and others skip), no file of materials.

@@ -141,9 +141,9 @@ UrdfContent urdfContent(SkinTree tree, const ExportOptions& options) {
   return {std::move(tree), options.link_per_cell, options.urdf_form};
 }
 
-/// The bytes of a format that is one file; `file` is named in errors.
+/// The bytes of a format that is one file.
 std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection& selection, ExportFormat format,
-                    const ExportOptions& options, const std::string& file) {
+                    const ExportOptions& options) {
   const auto tree = [&] { return skinTree(*reconstruction.model, selection.mounted, reconstruction, options); };
   const auto frames = [&] { return skinFrames(tree(), options.link_per_cell); };
   const auto taxels = [&] { return taxelMap(*reconstruction.model, selection.mounted, options); };
@@ -154,10 +154,10 @@ std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection&
       return dotText(reconstruction);
     case ExportFormat::Ply:
       requireMesh(reconstruction, "PLY");
-      return plyBytes(plyMesh(reconstruction, selection), file);
+      return plyText(reconstruction, selection);
     case ExportFormat::Stl:
       requireMesh(reconstruction, "STL");
-      return stlBytes(stlMesh(reconstruction, options.stl_unit), file);
+      return stlBytes(reconstruction, options.stl_unit);
     case ExportFormat::Vtp:
       return vtpBytes(vtpData(reconstruction, selection));
     case ExportFormat::Urdf:
@@ -311,18 +311,18 @@ FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat forma
                           return made;
                         }
                         const std::string name = stem + std::string(description.extension);
-                        made.files.push_back({name, bytesOf(part, selection, format, options, name)});
+                        made.files.push_back({name, bytesOf(part, selection, format, options)});
                         return made;
                       });
 }
 
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
-                        const std::string& file) {
+                        const std::string& /*file*/) {
   options.validateFor(format);
   return withExported(reconstruction, format, options,
                       [&](const Reconstruction& part, const ExportSelection& selection) {
                         requireFinite(part);
-                        return bytesOf(part, selection, format, options, file);
+                        return bytesOf(part, selection, format, options);
                       });
 }
 

@@ -31,8 +31,8 @@ TEST_F(Cli, VersionSaysCommitFormatsAndLibraries) {
   EXPECT_THAT(lines[2], HasSubstr("(*.hexo) " + std::to_string(kStoreVersion)));
   EXPECT_EQ(lines[3], "wire: SkinWire " + std::to_string(skinwire::kMajor) + "." + std::to_string(skinwire::kMinor));
   EXPECT_THAT(lines[4], MatchesRegex("libraries: [A-Za-z_0-9 ]+ [0-9.]+(, [A-Za-z_ ]+ [0-9.]+)*"));
-  for (const char* library : {"CLI11", "Assimp", "Boost", "Eigen", "fmt", "libzip", "nlohmann_json", "OpenSSL",
-                              "Orocos KDL", "Protocol Buffers", "pugixml", "SQLite", "urdfdom"}) {
+  for (const char* library : {"CLI11", "Boost", "Eigen", "fmt", "libzip", "nlohmann_json", "OpenSSL", "Orocos KDL",
+                              "Protocol Buffers", "pugixml", "SQLite", "urdfdom"}) {
     EXPECT_THAT(lines[4], HasSubstr(std::string(library) + " "));
   }
   EXPECT_EQ(lines[5], "");

@@ -1,8 +1,6 @@
 // PLY, STL, OBJ and glTF: what we read of them, as Assimp does (mesh/second_opinion_test.cpp), and what a reader of
 // meshes passes over: colours, normals, names and nodes.
 
-#include "hexoderm/io/export_mesh.h"
-
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/robots/mesh_file.h"
 #include "hexoderm/solve/metrics/patch_mesh.h"
@@ -107,16 +105,6 @@ TEST(ExportPly, ColoursCellsByTheirWorstUsedLink) {
   }
   // Cell 7 has links of both classes; the muted links of 7, 12 and 20 don't count.
   EXPECT_THAT(of_cells, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x8A939E));
-}
-
-TEST(ExportPly, KeepsEveryByteOfEveryColour) {
-  ExportMesh mesh;
-  for (std::uint32_t byte = 0; byte < 256; ++byte) {
-    mesh.points.emplace_back(byte, 1, 2);
-    mesh.colors.push_back(byte << 16U | (255 - byte) << 8U | byte);
-  }
-  for (std::uint32_t k = 0; k + 2 < 256; ++k) mesh.polygons.push_back({k, k + 1, k + 2});
-  EXPECT_EQ(colorsOf(plyBytes(mesh, "colours.ply")), mesh.colors);
 }
 
 TEST(ExportPly, SaysItsUnitAndFrame) {

@@ -1,8 +1,6 @@
 #include "hexoderm/base/error.h"
-#include "hexoderm/io/exporter.h"
-#include "tests/core/io/export_test_folder.h"
+#include "tests/core/io/placed_skin.h"
 #include "tests/core/io/taxel_readers.h"
-#include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
 
@@ -13,19 +11,12 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class ExportTaxels : public ExportTest {
- protected:
-  void SetUp() override { options_.placements = {{CellId(7), "r_forearm", T_l_o_, {}}}; }
-  const SE3 T_l_o_{rotationFromRpy({0.4, -0.9, 2.5}), {0.03, -0.01, 0.12}};
-  Reconstruction reconstruction_ = makeTestReconstruction();
-  ExportOptions options_;
-};
+using ExportTaxels = PlacedSkin;
 
 TEST_F(ExportTaxels, OfIcubAreTheCellsInTheLinksFrame) {
-  exportReconstruction(reconstruction_, ExportFormat::Icub, in("taxels.txt"), options_);
-  const auto taxels = test::readIcubTaxels(read(in("taxels.txt")));
+  const auto taxels = test::readIcubTaxels(bytes(ExportFormat::Icub));
   ASSERT_TRUE(taxels);
-  EXPECT_EQ(taxels->name, "r_forearm");
+  EXPECT_EQ(taxels->name, "forearm");
   ASSERT_EQ(taxels->rows.size(), 12U) << "one triangle";
   ASSERT_EQ(taxels->representatives.size(), taxels->rows.size());
   for (std::size_t row = 0; row < taxels->rows.size(); ++row) {
@@ -64,10 +55,9 @@ TEST_F(ExportTaxels, OfIcubLoseNoCellToAReaderThatDropsTheLastLineOrRow) {
 
 TEST_F(ExportTaxels, OfIcubAreThoseOfOneLink) {
   options_.placements.push_back({CellId(20), "r_hand", {}, {}});
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction_, ExportFormat::Icub, options_, "t"); }),
-              HasSubstr("in_link"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { bytes(ExportFormat::Icub); }), HasSubstr("in_link"));
   options_.in_link = "r_hand";
-  const auto taxels = test::readIcubTaxels(exportBytes(reconstruction_, ExportFormat::Icub, options_, "t"));
+  const auto taxels = test::readIcubTaxels(bytes(ExportFormat::Icub));
   ASSERT_TRUE(taxels);
   EXPECT_EQ(taxels->name, "r_hand");
   EXPECT_EQ(taxels->representatives[0], 0);
@@ -76,7 +66,7 @@ TEST_F(ExportTaxels, OfIcubAreThoseOfOneLink) {
 
 TEST_F(ExportTaxels, OfSkinwareAreNanometresAndNameTheLinkByNumber) {
   options_.placements.push_back({CellId(20), "r_hand", {}, {}});
-  const auto cells = test::readSkinware(exportBytes(reconstruction_, ExportFormat::Skinware, options_, "map"));
+  const auto cells = test::readSkinware(bytes(ExportFormat::Skinware));
   ASSERT_TRUE(cells);
   ASSERT_EQ(cells->size(), 4U);
   const CellPlacement& placement = reconstruction_.patches[0].cells[2];
