@@ -156,7 +156,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
   }
 
   // The sensor's most probable errors.
-  auto* const seen = reinterpret_cast<PoseOfCell*>(cells.workspace);
+  PoseOfCell* __restrict const seen = reinterpret_cast<PoseOfCell*>(cells.workspace);
   Lanes normal[4][4] = {};
   Lanes right[3][4] = {};
   for (std::size_t k = 0; k < poses; ++k) {
