@@ -33,6 +33,7 @@ void takeValue(In& in, Value& value) {
   } else if constexpr (requires { value.emplace_back(); }) {
     in.eachItem([&](auto& item) { takeValue(item, value.emplace_back()); });
   } else {
+    static_assert(std::is_same_v<Value, std::uint32_t> || std::is_same_v<Value, std::size_t> || std::is_class_v<Value>);
     value = Value(in.unsignedInteger());
   }
 }
@@ -143,7 +144,7 @@ struct Described {
   void take(In& in, std::vector<Record>& records) const {
     records.reserve(usual);
     in.eachItem([&](auto& item) { fields(item, records.emplace_back()); });
-    if (records.size() > usual) records.shrink_to_fit();
+    if (records.size() != usual) records.shrink_to_fit();
   }
   template <class Record>
   void put(JsonWriter& out, const Record& record) const {
@@ -184,6 +185,9 @@ struct JsonField {
   template <class In>
   void takeFrom(In& in) {
     if constexpr (requires { *value; }) {
+      if constexpr (std::is_same_v<In, JsonScanner>) {
+        if (!is_required && in.isNull()) return;  // as JsonReader takes it
+      }
       as.take(in, value.emplace());
     } else {
       as.take(in, value);

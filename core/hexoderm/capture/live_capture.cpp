@@ -114,10 +114,10 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
           waitForEvent();
         }
       }
-    } catch (const DeviceError& failure) {
+    } catch (const std::exception& failure) {
       const Message not_stored = endAfterFailure();
       if (not_stored.empty()) throw;
-      throw DeviceError(inRow({failure.message(), not_stored}, "; "));
+      throw StorageError(inRow({messageOf(failure), not_stored}, "; "));  // a lost pose is the worse of the two
     } catch (...) {
       endAfterFailure();
       throw;
@@ -405,7 +405,12 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     while (store_ && !is_flushed_ && !course_.isFileRefused()) handleOne(std::chrono::milliseconds(100));
     store_.reset();  // tries for the last time
     while (handleOne(std::chrono::milliseconds(0))) continue;
-    if (has_news_) solve();
+    try {
+      if (has_news_) solve();
+    } catch (...) {
+      if (!lost_.empty()) failForLostPoses();  // which is worse
+      throw;
+    }
     if (has_news_) result_.reset();  // it was stopped
     show();
     if (!lost_.empty()) failForLostPoses();
@@ -444,12 +449,18 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     tell_(RecordingEnded{why});
   }
 
+  void setRecordingError(const Message& why) {
+    const std::lock_guard lock(mutex_);
+    state_.recording_error = why;
+  }
+
   /// Returns why not all was recorded, which is told; empty if it was.
-  Message finishRecording() {
+  Message finishRecording(bool after_failure) {
     if (!recording_) return {};
     try {
       recording_->finish();
     } catch (const StorageError&) {
+      if (!after_failure) setRecordingError(recording_->error());
       tellOfRecording();
     }
     return recording_->error();
@@ -465,7 +476,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
     } catch (...) {  // by the listener, which was told of the failure before
     }
     try {
-      finishRecording();
+      finishRecording(true);
     } catch (...) {  // likewise
     }
     return not_stored;
@@ -474,11 +485,8 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   void end() {
     if (is_ended_) return;
     finish();
-    if (const Message why = finishRecording(); !why.empty()) {
-      {
-        const std::lock_guard lock(mutex_);
-        state_.recording_error = why;
-      }
+    if (const Message why = finishRecording(false); !why.empty()) {
+      setRecordingError(why);
       throw StorageError(why);
     }
     if (!session_ && !is_closing_) throw DeviceError(options_.source, state_.status);

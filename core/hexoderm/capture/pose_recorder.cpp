@@ -87,7 +87,11 @@ struct PoseRecorder::State {
   PoseRecorderListener& listener;
   const PoseRecorderOptions options;
   std::mutex mutex;
-  std::vector<Command> commands;  // guarded by the mutex; all other members belong to the feeding thread
+  // Guarded by the mutex: what was asked for since the last frame, of what describes a state only the newest.
+  std::vector<Command> commands;
+  std::optional<PoseId> wanted_next_id;
+  std::optional<std::vector<std::shared_ptr<const PoseCapture>>> wanted_earlier;
+  // All others belong to the feeding thread.
 
   Accelerometer accelerometer;
   std::vector<CellId> described;
@@ -119,6 +123,8 @@ struct PoseRecorder::State {
     {
       const std::lock_guard lock(mutex);
       wanted.swap(commands);
+      if (wanted_next_id) next_id = *std::exchange(wanted_next_id, std::nullopt);
+      if (wanted_earlier) earlier = *std::exchange(wanted_earlier, std::nullopt);
     }
     for (const Command& command : wanted) command(*this);
     if (window && !forced && !automatic) window.reset();
@@ -387,10 +393,12 @@ void PoseRecorder::cancelCapture() {
   state_->ask([](State& state) { state.startOver(false); });
 }
 void PoseRecorder::setNextPoseId(PoseId id) {
-  state_->ask([id](State& state) { state.next_id = id; });
+  const std::lock_guard lock(state_->mutex);
+  state_->wanted_next_id = id;
 }
 void PoseRecorder::setEarlierPoses(std::vector<std::shared_ptr<const PoseCapture>> poses) {
-  state_->ask([poses = std::move(poses)](State& state) { state.earlier = poses; });
+  const std::lock_guard lock(state_->mutex);
+  state_->wanted_earlier = std::move(poses);
 }
 
 }  // namespace hexoderm

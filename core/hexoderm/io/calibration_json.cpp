@@ -10,7 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -172,10 +174,17 @@ void patchFields(Json& json, Patch& patch) {
     share = patch.gap_share->share;
     sigma = patch.gap_share->sigma;
   }
-  json.object(
-      requiredField("id", patch.id), requiredField("origin", patch.origin), optionalField("gap_s", share),
-      optionalField("gap_s_sigma", sigma, kNonNegative), requiredField("gravity", patch.gravity, Described{gravity}),
-      requiredField("cells", patch.cells, Described{cell}), requiredField("links", patch.links, Described{link}));
+  const auto fields = [&](auto... members) {
+    if constexpr (std::is_same_v<Json, JsonScanner>) {
+      nlohmann::json others = nlohmann::json::object();  // of newer programs
+      json.objectWith([&](std::string_view key) { json.keep(key, others); }, std::move(members)...);
+    } else {
+      json.object(std::move(members)...);
+    }
+  };
+  fields(requiredField("id", patch.id), requiredField("origin", patch.origin), optionalField("gap_s", share),
+         optionalField("gap_s_sigma", sigma, kNonNegative), requiredField("gravity", patch.gravity, Described{gravity}),
+         requiredField("cells", patch.cells, Described{cell}), requiredField("links", patch.links, Described{link}));
   if constexpr (kIsRead<Json>) {
     if (share) patch.gap_share = GapShareEstimate{*share, sigma.value_or(0)};
   }

@@ -256,7 +256,7 @@ JournalEntry JournalState::entryFor(const StoreOperation& operation, std::int64_
     entry.detail = jsonText([&](JsonWriter& json) { writeTruth(truth->truth, json); });
   } else if (const auto* options = std::get_if<SetOptions>(&operation)) {
     entry.kind = "options";
-    entry.detail = options->json;
+    entry.detail = options->json.empty() ? "{}\n" : options->json;
   }
   entry.digest = entry.expectedDigest(digest_);
   return entry;

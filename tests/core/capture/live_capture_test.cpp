@@ -365,7 +365,7 @@ TEST(LiveCapture, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
     if (tells<FileRefused>(event)) scripted.source->say(SourceState::Incompatible);
   };
   scripted.hold();
-  EXPECT_THAT(messageOf<DeviceError>([&] { scripted.capture->next(); }),
+  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->next(); }),
               testing::AllOf(testing::StartsWith("script: as the script says; "),
                              testing::EndsWith("pose 1 is not stored; 0 poses were stored before")));
 }

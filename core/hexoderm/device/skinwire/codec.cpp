@@ -16,6 +16,8 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <skinwire.pb.h>
+
+#include <array>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -271,8 +273,10 @@ Decoded messageIn(const v1::Line& line) {
 
 /// The payload of a body is the field of Line whose number is its type and one more.
 Decoded parsePayload(std::uint8_t type, ByteView payload) {
-  // Kept, so that the arrays of samples need not grow again for every one of a thousand messages a second.
-  thread_local v1::Line line;
+  // Kept for each type, so that the arrays of samples need not grow again for every one of a thousand messages a
+  // second.
+  thread_local std::array<v1::Line, 8> lines;
+  v1::Line& line = lines[type % lines.size()];
   const google::protobuf::FieldDescriptor* field = line.GetDescriptor()->FindFieldByNumber(type + 1);
   if (field == nullptr || field->message_type() == nullptr) {
     return failed(DecodeOutcome::UnknownType,

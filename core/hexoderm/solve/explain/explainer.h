@@ -28,8 +28,8 @@ Explainer makeMisfitExplainer();
 /// looks like a skin link in its angles. One link a patch, because the others give way to it.
 Explainer makeOpenLinkExplainer();
 
-/// By the attitudes of solved patches (AttitudeSearch): links, and cells that are mounted otherwise or whose readings
-/// are each other's. Of a tree's readings also what a hand that turned the part added to them.
+/// By the attitudes of solved patches (findAttitudeSuspects()): links, and cells that are mounted otherwise or whose
+/// readings are each other's. Of a tree's readings also what a hand that turned the part added to them.
 Explainer makeAttitudeExplainer();
 
 }  // namespace hexoderm

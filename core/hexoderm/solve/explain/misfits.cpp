@@ -26,7 +26,7 @@ std::optional<TurnBetweenPoses> explainingTurn(const GlobalRefinement& joint, st
 std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& patch,
                                      const std::vector<std::size_t>& but) {
   // With hundreds of poses the smallest misfit is significant; only one that also matters makes a sensor useless.
-  constexpr double kMinTimes = 2;
+  constexpr double kMinChiSquaredPerDegree = 2;
   const GlobalRefinement& joint = *patch.joint();
   std::optional<BadSensor> worst;
   double worst_misfit = skin.options().max_misfit;
@@ -36,7 +36,7 @@ std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& p
     if (joint.mostMisfitOf(cell).deviate() <= worst_misfit) continue;
     const Misfit found = joint.misfitOf(cell);
     const double misfit = found.deviate();
-    if (misfit <= worst_misfit || found.chi_squared < kMinTimes * found.degrees) continue;
+    if (misfit <= worst_misfit || found.chi_squared < kMinChiSquaredPerDegree * found.degrees) continue;
     worst = BadSensor{cell, std::nullopt};
     worst_misfit = misfit;
   }

@@ -3,8 +3,10 @@
 #include "hexoderm/base/units.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <stdexcept>
 
 namespace hexoderm {
 namespace {
@@ -143,6 +145,7 @@ class CellsInLanes {
     R_.put(lane, state_.cells[cell].R);
     lever_.put(lane, Eigen::Vector3d(state_.cells[cell].t - state_.middle_o));
     for (const CellReading& reading : problem_.readings[cell]) {
+      if (precision_(reading.pose, lane) != 0) throw std::logic_error("a cell has two readings in one pose");
       precision_(reading.pose, lane) = 1 / reading.variance_g2;
       for (std::size_t i = 0; i < 3; ++i) {
         y_(3 * reading.pose + i, lane) = reading.y_g[static_cast<Eigen::Index>(i)];
@@ -189,6 +192,10 @@ class CellsInLanes {
     if (cell == problem_.cellCount()) return;
     equations_.cost += cost_(0, lane);
     if (cell == problem_.origin) return;
+    if (!std::isfinite(cost_(0, lane))) {  // so are its blocks, which no factorization takes
+      equations_.cells[cell].setConstant(cost_(0, lane));
+      return;
+    }
     const auto row = static_cast<Eigen::Index>(6 * cell);
     equations_.cells[cell] += matrix_.get<6, 6>(lane);
     equations_.gradient_cells.segment<6>(row) += gradient_.get<6, 1>(lane);

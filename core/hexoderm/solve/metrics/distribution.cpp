@@ -32,9 +32,9 @@ double roundWidth(double least, double largest, std::size_t most_bins) {
 
 /// Of a value that is in one of the bins.
 std::size_t placeIn(std::span<const ValueBin> bins, double value) {
-  const double width = bins.front().upper - bins.front().lower;
-  const double place = std::floor(value / width) - std::floor(bins.front().lower / width + 0.5);
-  return static_cast<std::size_t>(std::clamp(place, 0.0, static_cast<double>(bins.size() - 1)));
+  const auto above = std::upper_bound(bins.begin(), bins.end(), value,
+                                      [](double of_value, const ValueBin& bin) { return of_value < bin.lower; });
+  return above == bins.begin() ? 0 : static_cast<std::size_t>(above - bins.begin()) - 1;
 }
 
 }  // namespace

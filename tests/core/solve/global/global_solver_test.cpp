@@ -11,6 +11,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <string>
 
 namespace hexoderm {
@@ -77,6 +78,64 @@ Eigen::MatrixXd denseCovariance(const GlobalProblem& problem, const NormalEquati
   C.middleRows<6>(at).setZero();
   C.middleCols<6>(at).setZero();
   return C;
+}
+
+/// X17 as it lies on the paper's cylinder, its links and readings exact.
+GlobalCase exactX17OnCylinder(double share) {
+  GlobalCase example = simulatedCase(SimulatedSkinOptions::ideal(), 0, kPivotGap);
+  std::vector<SE3>& cells = example.truth.cells;
+  const std::vector<SE3> laid = cells;
+  // A link's source comes before its target, so this goes from the middle outwards.
+  for (const GlobalLink& link : example.problem.links) {
+    cells[link.n] = placeByLink(cells[link.c], link, laid[link.c].R.transpose() * laid[link.n].R, share);
+  }
+  const SE3 T_origin = cells[example.problem.origin].inverse();
+  for (SE3& cell : cells) cell = T_origin * cell;
+  example.truth.middle_o = middleOf(cells);
+  example.truth.gap_share = share;
+  return example;
+}
+
+TEST(GlobalSolver, DefaultPriorsHardlyPullExactData) {
+  // The elastomer's priors pull towards a flat skin by variance x angle / sigma^2, however exact the readings are: they
+  // are believed to 3 mg, and with three poses offsets are known by their prior alone.
+  const CellModel model = builtInCellModel("hex-bma150");
+  const auto bent = [&](double twist_rad, double yaw_rad) {
+    return [&model, twist_rad, yaw_rad](double share) {
+      return exactX17(model, share, 20 * kDegree, twist_rad, yaw_rad, 3);
+    };
+  };
+  struct Shape {
+    const char* name;
+    std::function<GlobalCase(double share)> make;
+    double limits_deg[3];  // 3 orthogonal poses, 4, 6
+  };
+  const Shape shapes[] = {
+      {"flat", [&](double share) { return exactX17(model, share, 0, 0, 0, 3); }, {1e-6, 1e-6, 1e-6}},
+      {"closed ring", [&](double share) { return exactRing(model, share); }, {1e-4, 1e-4, 1e-4}},
+      {"on the cylinder", exactX17OnCylinder, {0.04, 0.01, 0.01}},
+      {"bent 20 deg", bent(0, 0), {0.02, 0.005, 0.005}},
+      {"twisted 3 deg too", bent(3 * kDegree, 0), {0.03, 0.01, 0.01}},
+      {"yawed 0.5 deg too", bent(3 * kDegree, 0.5 * kDegree), {0.2, 0.04, 0.03}},
+  };
+  constexpr std::size_t kPoses[] = {3, 4, 6};
+  for (const GapShare& gap : {kPivotGap, kArcGap, kFitGap}) {
+    for (const Shape& shape : shapes) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        GlobalCase example = shape.make(gap.mean);
+        example.problem.gap = gap;
+        addExactReadings(example, orthogonalUps(kPoses[k]));
+        const GlobalSolution solution = solveJointly(example.problem, example.truth);
+        const Deviation deviation = deviationOf(solution.state, example.truth);
+        const std::string what =
+            std::string(shape.name) + ", " + nameOf(gap) + ", " + std::to_string(kPoses[k]) + " poses";
+        EXPECT_LE(toDegrees(deviation.orientation_rad), shape.limits_deg[k]) << what;
+        EXPECT_LE(deviation.position_m, 1e-4) << what;
+        RecordProperty(what, std::to_string(toDegrees(deviation.orientation_rad)) + " deg, " +
+                                 std::to_string(toMillimetres(deviation.position_m)) + " mm");
+      }
+    }
+  }
 }
 
 TEST(GlobalCovariance, IsTheInverseOfTheNormalEquations) {

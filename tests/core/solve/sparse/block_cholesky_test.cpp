@@ -235,5 +235,16 @@ TEST(BlockCholesky, WidePanelsAreRight) {
   }
 }
 
+TEST(BlockCholesky, LongChainsTakeLinearMemory) {
+  const System system(shuffled(chain(20'000), 10), 12);
+  BlockCholesky cholesky(system.graph.size, system.graph.couples);
+  EXPECT_LE(cholesky.factorEntries(), 36 * 2 * system.graph.size);
+  ASSERT_TRUE(cholesky.factorize(system.diagonal, system.couples));
+  const Eigen::MatrixXd B = someColumns(system, 1);
+  Eigen::MatrixXd X = B;
+  cholesky.solve(X);
+  EXPECT_THAT(system.times(X), MatrixNear(B, 1e-10));
+}
+
 }  // namespace
 }  // namespace hexoderm
