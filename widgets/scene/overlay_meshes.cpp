@@ -126,7 +126,10 @@ EnlargedShape makeEllipsoids(const SceneContent& content) {
   for (std::size_t p = 0; p < content.reconstruction->patches.size(); ++p) {
     for (const CellPlacement& cell : content.reconstruction->patches[p].cells) {
       if (!cell.cov_t_r) continue;
-      const Eigen::Matrix3d A = ellipsoid95(cell.cov_t_r->topLeftCorner<3, 3>());
+      const Eigen::Matrix3d covariance = cell.cov_t_r->topLeftCorner<3, 3>();
+      // No axis is shorter than a thousandth of the longest, nor is the ball mirrored, or it would be lit wrongly.
+      Eigen::Matrix3d A = ellipsoid95(covariance + 1e-6 * covariance.trace() * Eigen::Matrix3d::Identity());
+      if (A.determinant() < 0) A.col(0) *= -1;
       const double longest = A.col(2).norm();
       if (longest <= 0) continue;
       largest = std::max(largest, longest);
