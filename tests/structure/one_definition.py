@@ -11,7 +11,7 @@ import re
 import sys
 
 NAMESPACE = re.compile(r"^(?:inline )?namespace ([\w:]+) \{|^(\}  // namespace)")
-CLASS = re.compile(r"^(?:class|struct|union|enum class) (\w+)(?!.*;$)")
+CLASS = re.compile(r"^(?:class|struct|union|enum class) (\w+)\b(?!<|.*;$)")  # a specialisation is a class of its own
 
 
 def classes(header):
