@@ -112,6 +112,7 @@ class Evaluation {
     } else {
       printVerdict(calibration_.assessment);
     }
+    if (!json_ && !out_) std::cout.setstate(std::ios::badbit);  // whose state the end of the program looks at
   }
 
  private:

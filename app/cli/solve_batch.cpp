@@ -8,13 +8,13 @@
 #include "hexoderm/io/calibration_json.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <future>
 #include <iostream>
 #include <map>
+#include <mutex>
 #include <optional>
-#include <semaphore>
 #include <set>
 #include <stop_token>
 #include <system_error>
@@ -125,7 +125,7 @@ class BatchThreads {
       : outcomes_(batch.inputs.size()) {
     const std::size_t jobs = std::min(batch.jobs, batch.inputs.size());
     for (std::promise<EndedSession>& outcome : outcomes_) futures_.push_back(outcome.get_future());
-    ahead_.release(static_cast<std::ptrdiff_t>(json ? kMaxWaitingTexts * jobs : batch.inputs.size() + jobs));
+    ahead_ = json ? kMaxWaitingTexts * jobs : batch.inputs.size();
     for (std::size_t job = 0; job < jobs; ++job) {
       threads_.emplace_back([this, &batch, files, json, job] {
         const CoresInUse in_use(job == 0 ? 0 : 1);  // the first has the core that every call has
@@ -146,14 +146,15 @@ class BatchThreads {
     do {
       if (isInterrupted()) return std::nullopt;
     } while (futures_[session].wait_for(kLookForInterruptEvery) != std::future_status::ready);
-    ahead_.release();
+    {
+      const std::lock_guard lock(mutex_);
+      ++ahead_;
+    }
+    is_more_.notify_one();
     return futures_[session].get();
   }
   /// Nothing new begins from now on.
-  void stop() {
-    stop_.request_stop();
-    ahead_.release(static_cast<std::ptrdiff_t>(threads_.size()));
-  }
+  void stop() { stop_.request_stop(); }
   void waitUntilStopped() { threads_.clear(); }
   /// A session that has ended and was not let go yet.
   std::optional<EndedSession> takeEnded(std::size_t session) {
@@ -165,14 +166,19 @@ class BatchThreads {
  private:
   /// The session to solve next; one that there is not: none.
   std::size_t takeUp() {
-    ahead_.acquire();
-    return stop_.stop_requested() ? outcomes_.size() : next_++;
+    std::unique_lock lock(mutex_);
+    is_more_.wait(lock, stop_.get_token(), [this] { return ahead_ > 0; });
+    if (stop_.stop_requested()) return outcomes_.size();
+    --ahead_;
+    return next_++;
   }
 
   std::vector<std::promise<EndedSession>> outcomes_;
   std::vector<std::future<EndedSession>> futures_;
-  std::counting_semaphore<> ahead_{0};  ///< so many more may be taken up before the first of them is let go
-  std::atomic<std::size_t> next_ = 0;   ///< to be taken up
+  std::mutex mutex_;
+  std::condition_variable_any is_more_;
+  std::size_t ahead_ = 0;  ///< so many more may be taken up before the first of them is let go
+  std::size_t next_ = 0;   ///< to be taken up
   std::stop_source stop_;
   std::vector<std::jthread> threads_;  // last: they use all of the above
 };

@@ -49,7 +49,7 @@ std::string inPython(std::string_view name) {
 void setOption(ExportOptions& options, const std::vector<ExportFormat>& formats, const std::string& given,
                const std::string& value) {
   for (const ExportOptionDescription& option : exportOptions()) {
-    if (inPython(option.name) != given) continue;
+    if (inPython(option.name) != inPython(given)) continue;
     requireOneThatHas(option, formats, given);
     const auto is_value = [&](const auto& choice) { return choice.value == value; };
     if (!option.choices.empty() && std::ranges::none_of(option.choices, is_value)) {

@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QObject>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -26,16 +27,19 @@ class SceneBuilder {
 
   void submit(std::shared_ptr<const Reconstruction> reconstruction) {
     newest_ = reconstruction;
-    worker_.submit([this, reconstruction = std::move(reconstruction)](const std::stop_token& stop) {
-      Content content = makeSceneContent(reconstruction);
-      if (stop.stop_requested()) return;
-      QMetaObject::invokeMethod(
-          &receiver_, [this, content = std::move(content)] { take(content); }, Qt::QueuedConnection);
-    });
+    worker_.submit(
+        [this, reconstruction = std::move(reconstruction), generation = generation_](const std::stop_token& stop) {
+          Content content = makeSceneContent(reconstruction);
+          if (stop.stop_requested()) return;
+          QMetaObject::invokeMethod(
+              &receiver_, [this, content = std::move(content), generation] { take(content, generation); },
+              Qt::QueuedConnection);
+        });
   }
 
   /// Forgets what is waiting, and what is being made.
   void cancel() {
+    ++generation_;
     worker_.cancel();
     QCoreApplication::removePostedEvents(&receiver_, QEvent::MetaCall);
     newest_.reset();
@@ -50,13 +54,14 @@ class SceneBuilder {
   }
 
  private:
-  void take(const Content& content) {
-    if (!isBusy()) return;
+  void take(const Content& content, std::size_t generation) {
+    if (generation != generation_) return;
     if (content->reconstruction == newest_) newest_.reset();
     deliver_(content);
   }
 
   std::function<void(Content)> deliver_;
+  std::size_t generation_ = 0;                    ///< content of an earlier one was cancelled
   QObject receiver_;                              ///< receiver of the posted deliveries, which go with it
   std::shared_ptr<const Reconstruction> newest_;  ///< until it is delivered
   LatestWorker worker_;                           // last: it has ended before anything that it uses is destroyed

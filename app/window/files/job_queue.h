@@ -17,7 +17,9 @@ class JobQueue {
  public:
   using Job = std::function<void()>;
 
-  JobQueue() : thread_([this](const std::stop_token& stop) { run(stop); }) {}
+  /// `is_urgent`: its jobs do not give way to computations.
+  explicit JobQueue(bool is_urgent = false)
+      : is_urgent_(is_urgent), thread_([this](const std::stop_token& stop) { run(stop); }) {}
   void add(Job job) { push({std::move(job), false}); }
   void addEssential(Job job) { push({std::move(job), true}); }
 
@@ -35,7 +37,7 @@ class JobQueue {
   }
 
   void run(const std::stop_token& stop) {
-    giveWayToOtherThreads();
+    if (!is_urgent_) giveWayToOtherThreads();
     for (;;) {
       Queued next;
       {
@@ -49,6 +51,7 @@ class JobQueue {
     }
   }
 
+  const bool is_urgent_;
   std::mutex mutex_;
   std::condition_variable_any arrived_;
   std::deque<Queued> jobs_;

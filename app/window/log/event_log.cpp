@@ -117,7 +117,7 @@ class EventLog::Writer {
   std::size_t refused_ = 0;  ///< by the disk, before what waits
   bool said_ = false;
   bool busy_ = false;
-  JobQueue jobs_;  // last: its thread has ended before what it uses goes
+  JobQueue jobs_{true};  // last: its thread has ended before what it uses goes
 };
 
 namespace {

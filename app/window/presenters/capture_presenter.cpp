@@ -55,11 +55,12 @@ class CapturePresenter : public Presenter {
   }
 
   void connectPreferences() {
-    const auto follow = [this] {
-      views.tone->setEnabled(preferences.isOn(Switch::Tone));
-      views.patch->setAnimated(!preferences.isOn(Switch::ReducedMotion));
+    const auto follow = [this](Switch changed) {
+      if (changed == Switch::Tone) views.tone->setEnabled(preferences.isOn(Switch::Tone));
+      if (changed == Switch::ReducedMotion) views.patch->setAnimated(!preferences.isOn(Switch::ReducedMotion));
     };
-    follow();
+    follow(Switch::Tone);
+    follow(Switch::ReducedMotion);
     connect(&preferences, &Preferences::switched, this, follow);
   }
 

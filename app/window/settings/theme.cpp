@@ -250,7 +250,10 @@ std::optional<ThemeChoice> themeChoiceFromName(const QString& name) {
   return at < 0 ? std::nullopt : std::optional(static_cast<ThemeChoice>(at));
 }
 
-Theme resolveTheme(ThemeChoice choice) { return ofEnum(choice, {knownSystemTheme(), Theme::Light, Theme::Dark}); }
+Theme resolveTheme(ThemeChoice choice) {
+  if (choice == ThemeChoice::System) return knownSystemTheme();  // which asks the desktop the first time
+  return choice == ThemeChoice::Dark ? Theme::Dark : Theme::Light;
+}
 
 void setSystemTheme(Theme theme) { knownSystemTheme() = theme; }
 
