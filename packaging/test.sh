@@ -1,8 +1,9 @@
 #!/bin/bash
 # Sets up, builds everything in Release and runs its tests; the last line is "N passed, M failed".
 # Usage: packaging/test.sh [--all | STAGE ...]
-#   --all      also: core, that it builds without Qt and VTK, and that other programs can use it; asan, what
-#              reads files, devices and arguments under the address and undefined-behaviour sanitizers; tsan, what runs on several threads under the thread sanitizer
+#   --all      also: core, that it builds without Qt and VTK, and that other programs can use it; asan, what reads files,
+#              devices and arguments under the address and undefined-behaviour sanitizers; tsan, what runs on several
+#              threads under the thread sanitizer
 #   STAGE ...  these of the stages release, core, asan, tsan, and window-asan: the window and its tests under the address
 #              sanitizer
 # In CI (the variable CI is set) a compiler's warning is an error.
@@ -20,7 +21,7 @@ for stage in "${stages[@]}"; do
     release | core | window-asan) ;;
     asan | tsan) packages+=(--sanitizers) ;;
     *)
-      sed -n '2,8s/^# //p' "${BASH_SOURCE[0]}" >&2
+      sed -n '2,9s/^# //p' "${BASH_SOURCE[0]}" >&2
       exit 2
       ;;
   esac

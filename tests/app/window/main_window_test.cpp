@@ -123,7 +123,8 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndEverythingIsUndone) {
   ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
   ASSERT_TRUE(waitForMessage("Pose 1 captured"));
-  EXPECT_TRUE(find<QWidget>("messageBar")->isHidden()) << "there is nothing to call off any more";
+  EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); }))
+      << "there is nothing to call off any more: " << message().toStdString();
   EXPECT_FALSE(message().contains("repeats pose 1")) << message().toStdString();
   for (int k = 0; k < 3; ++k) press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(0));
