@@ -69,7 +69,9 @@ TEST_F(CliNumbers, AtTheEndsOfTheRangeAreTaken) {
   EXPECT_EQ(run("solve a.session.json -j 1024 --class-threshold 1000 -o a.calibration.json").exit_code, 0);
   for (const std::string ends : {"--gap 100000 --surface-sigma 100000 --normal-sigma 360",
                                  "--gap 0 --surface-sigma 0.001 --normal-sigma 0.001"}) {
-    EXPECT_NE(run("place a.calibration.json --robot demo --link forearm " + ends).exit_code, 2) << ends;
+    // Where the patch is turned any way, a search with such figures takes minutes.
+    EXPECT_NE(run("place a.calibration.json --robot demo --link forearm --rotation 0,0,0 " + ends).exit_code, 2)
+        << ends;
   }
 }
 
