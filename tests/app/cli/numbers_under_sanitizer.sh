@@ -9,7 +9,8 @@ folder="$(mktemp -d)"
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
-# Runs a command; 1 is a verdict, not a failure.
+# Runs a command; 1 is a verdict, not a failure. A sanitizer's report ends a program with 1 too, if it isn't told otherwise.
+export ASAN_OPTIONS="${ASAN_OPTIONS:-}:exitcode=99" UBSAN_OPTIONS="${UBSAN_OPTIONS:-}:exitcode=99"
 run() { "$cli" "$@" --quiet >said.txt 2>&1 || [ $? -eq 1 ] || { echo "hexoderm-cli $*"; cat said.txt; exit 1; }; }
 
 for session in "$root"/tests/data/vectors/*.session.json; do
@@ -22,19 +23,22 @@ for session in "$root"/tests/data/vectors/*.session.json; do
 done
 run export solved.calibration.json --to csv,dot,ply,stl,vtp,urdf,tf-yaml,tum,icub,skinware,obj,gltf,sdf,mjcf -o exported
 
-kinds="$("$cli" simulate --help | grep -o 'KIND:CELL with KIND.*')"
-for kind in $(sed 's/, or KIND:CELL:PORT.*//; s/.*KIND:CELL with KIND//; s/,\| or / /g' <<<"$kinds"); do
-  run simulate --poses 4 --fault "$kind:7" -o fault.session.json
-  run solve fault.session.json
-done
-for kind in $(sed 's/.*or KIND alone, of the whole skin://; s/; may be.*//; s/,\| or / /g' <<<"$kinds"); do
-  run simulate --poses 4 --fault "$kind" -o fault.session.json
-  run solve fault.session.json
-done
-for kind in joint cable wrong-port; do
-  run simulate --poses 4 --fault "$kind:7:1" -o fault.session.json
-  run solve fault.session.json
-done
+# The faults that the help names: "KIND:CELL with KIND ... or KIND:CELL:PORT with KIND ... or KIND alone, ...: ...; may be".
+help="$("$cli" simulate --help)"
+faults=0
+solve_faults() {
+  local suffix="$1" kinds="$2" kind
+  for kind in ${kinds//,/ }; do
+    [ "$kind" != or ] || continue
+    run simulate --poses 4 --fault "$kind$suffix" -o fault.session.json
+    run solve fault.session.json
+    faults=$((faults + 1))
+  done
+}
+solve_faults :7 "$(sed -n 's/.*KIND:CELL with KIND \(.*\), or KIND:CELL:PORT.*/\1/p' <<<"$help")"
+solve_faults :7:1 "$(sed -n 's/.*KIND:CELL:PORT with KIND \(.*\), or KIND alone.*/\1/p' <<<"$help")"
+solve_faults "" "$(sed -n 's/.*KIND alone, of the whole skin: \(.*\); may be.*/\1/p' <<<"$help")"
+[ "$faults" -ge 20 ] || { echo "only $faults faults were found in the help of simulate"; exit 1; }
 
 run simulate --patch sheet:20x20 --surface cylinder:r=0.2 --poses 5 -o sheet.session.json
 run solve sheet.session.json -o sheet.calibration.json
