@@ -1,6 +1,7 @@
 // Time that the views of live readings and of residuals take. The live views are given new data twenty times a second,
 // so a picture must take less than 50 ms. Needs a display: xvfb-run -a build/release/tests/benchmarks/views_benchmark
 
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/capture/coverage_view.h"

@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/capture/calm_up.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "widgets/capture/capture_words.h"
 #include "widgets/words/words.h"
 

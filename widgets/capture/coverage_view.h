@@ -1,12 +1,13 @@
 #pragma once
 
-#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "widgets/style/palette.h"
 
 #include <QWidget>
 #include <optional>
 
 namespace hexoderm {
+
+struct PoseCoverage;
 
 /// The directions of gravity seen so far: both halves of the sphere as discs, since a sphere hides its far side, with
 /// the poses as numbers, the next one as a dashed ring and the present direction as a moving dot. Below: the three

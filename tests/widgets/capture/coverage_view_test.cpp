@@ -1,5 +1,6 @@
 #include "widgets/capture/coverage_view.h"
 
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/qt_wait.h"
 
