@@ -55,7 +55,7 @@ TEST_F(ExportTaxels, OfIcubLoseNoCellToAReaderThatDropsTheLastLineOrRow) {
 
 TEST_F(ExportTaxels, OfIcubAreThoseOfOneLink) {
   options_.placements.push_back({CellId(20), "r_hand", {}, {}});
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { bytes(ExportFormat::Icub); }), HasSubstr("in_link"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { return bytes(ExportFormat::Icub); }), HasSubstr("in_link"));
   options_.in_link = "r_hand";
   const auto taxels = test::readIcubTaxels(bytes(ExportFormat::Icub));
   ASSERT_TRUE(taxels);
