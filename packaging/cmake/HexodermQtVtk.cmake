@@ -5,6 +5,8 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   IOImage InteractionStyle InteractionWidgets RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2)
 find_package(Qt${VTK_QT_VERSION} 5.15 REQUIRED COMPONENTS Core Gui Widgets Svg Test)
 set(HEXODERM_QT Qt${VTK_QT_VERSION})
+# moc 5.15 can't read <concepts> and <numbers>.
+set(CMAKE_AUTOMOC_MOC_OPTIONS -D_GLIBCXX_CONCEPTS -D_GLIBCXX_NUMBERS)
 
 # The tones of capturing.
 find_package(${HEXODERM_QT}Multimedia QUIET)

@@ -357,14 +357,14 @@ TEST(EmulatedDevice, SaysTwiceASecondHowItIs) {
 }
 
 /// The made-up arm with ideal skins on two links.
-SimulatedRobot demoArm() {
+SimulatedRobot skinnedDemoArm() {
   SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
   options.mounts = demoMounts();
   return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT), options};
 }
 
 TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
-  Bench bench(demoArm());
+  Bench bench(skinnedDemoArm());
   bench.start();
   EXPECT_TRUE(bench.take<skinwire::Hello>().at(0).can_turn);
   NeighborList cells = bench.take<skinwire::Topology>().at(0).cells;
@@ -390,7 +390,7 @@ TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
 }
 
 TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
-  Bench bench(demoArm());
+  Bench bench(skinnedDemoArm());
   bench.start();
   EXPECT_THAT(bench.take<skinwire::Joints>(), SizeIs(0)) << "nobody knows its cells yet";
   bench.tick(1000);
@@ -406,7 +406,7 @@ TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
   EXPECT_THAT(bench.take<skinwire::Joints>().at(0).names, SizeIs(5)) << "after Describe";
 
   // To where it could stand.
-  const SimulatedRobot same = demoArm();
+  const SimulatedRobot same = skinnedDemoArm();
   JointAngles angles;
   for (const std::string& name : same.robot().freeJointNames()) angles.positions[name] = 0;
   angles.positions["elbow"] = 1;
@@ -437,7 +437,7 @@ TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
 }
 
 TEST(EmulatedDevice, SaysWhyARobotDoesNotTurn) {
-  Bench bench(demoArm());
+  Bench bench(skinnedDemoArm());
   bench.start();
   EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
   bench.device.turnToNextPose(bench.heard);
