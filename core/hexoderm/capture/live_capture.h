@@ -3,7 +3,6 @@
 #include "hexoderm/base/message.h"
 #include "hexoderm/capture/capture_workflow.h"
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/capture/stillness_statistics.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/solve/result/reconstruction.h"

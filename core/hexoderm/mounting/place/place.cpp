@@ -1,11 +1,11 @@
 #include "hexoderm/mounting/place/place.h"
+#include "hexoderm/mounting/attachment/links.h"
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/is_rotation.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/mounting/place/by_gravity.h"
 #include "hexoderm/mounting/place/by_hand.h"
 #include "hexoderm/mounting/place/freedom.h"
 #include "hexoderm/mounting/place/placement_fit.h"

@@ -2,7 +2,7 @@
 
 #include "hexoderm/base/alignment.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <algorithm>
 #include <cmath>
