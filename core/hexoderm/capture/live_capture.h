@@ -100,8 +100,6 @@ class LiveCapture {
   LiveCapture(LiveCaptureOptions options, std::unique_ptr<SkinSource> source, Listener listener);
   /// Ends the capture as close() does, and throws nothing.
   ~LiveCapture();
-  LiveCapture(const LiveCapture&) = delete;
-  LiveCapture& operator=(const LiveCapture&) = delete;
 
   /// Connects, as SkinSource::start(). Call once, and only for a source that was handed over.
   void start();

@@ -112,8 +112,6 @@ class PoseRecorder {
   /// `listener` must outlive the recorder. Throws InvalidArgument (PoseRecorderOptions::validate).
   explicit PoseRecorder(PoseRecorderListener& listener, PoseRecorderOptions options = {});
   ~PoseRecorder();
-  PoseRecorder(const PoseRecorder&) = delete;
-  PoseRecorder& operator=(const PoseRecorder&) = delete;
 
   /// Handles SkinListener::onSkin, which tells the accelerometer and the expected cells. Without it, the noise and rate
   /// of hex-bma150 are assumed, and only cells that have sent something are known. A capture under way starts over.
