@@ -57,16 +57,7 @@ bool steersTerminal(std::uint32_t code) {
 }
 
 std::string escapeOf(std::uint32_t code) {
-  switch (code) {
-    case '\n':
-      return "\\n";
-    case '\r':
-      return "\\r";
-    case '\t':
-      return "\\t";
-    default:
-      return fmt::format("\\u{:04x}", code);
-  }
+  return code == '\n' ? "\\n" : code == '\r' ? "\\r" : code == '\t' ? "\\t" : fmt::format("\\u{:04x}", code);
 }
 
 }  // namespace
