@@ -16,8 +16,6 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <kdl/frames.hpp>
 #include <kdl/segment.hpp>
 #include <mutex>

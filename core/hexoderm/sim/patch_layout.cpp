@@ -1,7 +1,6 @@
 #include "hexoderm/sim/patch_layout.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/sim/sheet_relaxation.h"
 #include "hexoderm/skin/breadth_first.h"
 

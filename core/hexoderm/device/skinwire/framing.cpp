@@ -5,7 +5,6 @@
 #include "hexoderm/device/skinwire/little_endian.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace hexoderm::skinwire {

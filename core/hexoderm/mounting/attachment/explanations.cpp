@@ -3,7 +3,6 @@
 #include "hexoderm/base/units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace hexoderm {

@@ -8,9 +8,7 @@
 #include "hexoderm/mounting/place/place.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace hexoderm {
 

@@ -1,6 +1,5 @@
 #include "hexoderm/solve/estimate/patch_description.h"
 
-#include "hexoderm/base/alignment.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/result/reconstruction.h"
 

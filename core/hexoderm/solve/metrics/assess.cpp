@@ -4,7 +4,6 @@
 #include "hexoderm/base/units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace hexoderm {
