@@ -44,9 +44,8 @@ struct RobotJoint {
   std::optional<JointMimic> mimic;
   /// Has a position of its own: neither fixed nor mimicking another joint.
   [[nodiscard]] bool isFree() const { return type != JointType::Fixed && !mimic; }
-  [[nodiscard]] bool turns() const {  ///< about an axis
-    return type == JointType::Revolute || type == JointType::Continuous;
-  }
+  /// Turns about its axis, with limits or without.
+  [[nodiscard]] bool turns() const { return type == JointType::Revolute || type == JointType::Continuous; }
 };
 
 /// A box around the origin of its frame.
