@@ -5,7 +5,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/parts/parts.h"
 #include "hexoderm/solve/reconstructor.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,6 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/mounting/attachment/links.h"
-#include "hexoderm/mounting/place/by_gravity.h"
 #include "hexoderm/robots/robot_model.h"
 #include "hexoderm/solve/reconstructor.h"
 

@@ -5,7 +5,7 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/solve/checks/evaluation.h"
-#include "hexoderm/solve/metrics/pose_advisor.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 
 #include <pybind11/stl/filesystem.h>
 

@@ -1,7 +1,7 @@
 #include "widgets/words/formatting.h"
 
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/cell_words.h"

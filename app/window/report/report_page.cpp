@@ -6,7 +6,7 @@
 #include "hexoderm/solve/metrics/assess.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/metrics/review_summary.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

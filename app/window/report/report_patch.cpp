@@ -4,7 +4,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/patch_mesh.h"
 #include "hexoderm/solve/metrics/patch_sides.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/style/palette.h"
 
 #include <QCoreApplication>

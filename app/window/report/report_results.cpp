@@ -5,7 +5,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/review_summary.h"
 #include "hexoderm/solve/result/patch_placements.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/verify/verify_words.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"

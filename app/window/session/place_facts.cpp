@@ -2,7 +2,8 @@
 
 #include "app/window/session/session_controller.h"
 #include "hexoderm/base/se3.h"
-#include "hexoderm/mounting/place/by_gravity.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "hexoderm/mounting/place/place.h"
 #include "hexoderm/solve/result/patch_placements.h"
 
 #include <algorithm>

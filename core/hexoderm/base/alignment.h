@@ -3,7 +3,6 @@
 #include "hexoderm/base/se3.h"
 
 #include <span>
-#include <vector>
 
 namespace hexoderm {
 

@@ -1,5 +1,7 @@
 #include "hexoderm/base/csv.h"
 
+#include <boost/algorithm/string/replace.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -26,12 +28,7 @@ std::string csvQuoted(std::string_view text) {
   const bool plain =
       harmless.find_first_of("\",\r\n") == std::string::npos && !harmless.starts_with(' ') && !harmless.ends_with(' ');
   if (plain) return harmless;
-  std::string result = "\"";
-  for (const char c : harmless) {
-    if (c == '"') result += '"';
-    result += c;
-  }
-  return result + '"';
+  return '"' + boost::algorithm::replace_all_copy(harmless, "\"", "\"\"") + '"';
 }
 
 std::optional<std::vector<std::string>> csvFields(std::string_view line, char separator) {

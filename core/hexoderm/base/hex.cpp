@@ -1,18 +1,9 @@
 #include "hexoderm/base/hex.h"
 
-#include <string_view>
+#include <fmt/format.h>
 
 namespace hexoderm {
 
-std::string hexDigits(std::span<const std::uint8_t> bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text;
-  text.reserve(2 * bytes.size());
-  for (const std::uint8_t byte : bytes) {
-    text += digits[byte >> 4U];
-    text += digits[byte & 15U];
-  }
-  return text;
-}
+std::string hexDigits(std::span<const std::uint8_t> bytes) { return fmt::format("{:02x}", fmt::join(bytes, "")); }
 
 }  // namespace hexoderm

@@ -23,8 +23,6 @@ class LatestWorker {
   explicit LatestWorker(std::size_t mailboxes = 1);  ///< with so many mailboxes, each of which keeps the newest job
   /// Stops the running job, drops those that wait and joins the thread.
   ~LatestWorker();
-  LatestWorker(const LatestWorker&) = delete;
-  LatestWorker& operator=(const LatestWorker&) = delete;
 
   /// Never waits for a job.
   void submit(Job job, std::size_t mailbox = 0);

@@ -21,8 +21,6 @@ class MeshSurface final : public Surface {
   /// finite or negative, and where the x axis stands on the surface.
   MeshSurface(TriangleMesh mesh, const SE3& T_b_near, double height_m = 0);
   ~MeshSurface() override;
-  MeshSurface(const MeshSurface&) = delete;
-  MeshSurface& operator=(const MeshSurface&) = delete;
 
   [[nodiscard]] SE3 middle() const override;
   [[nodiscard]] Eigen::Vector3d project(const Eigen::Vector3d& x) const override;

@@ -7,6 +7,7 @@
 #include <fmt/args.h>
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <stdexcept>
 
@@ -37,19 +38,8 @@ std::string englishOf(const MessageArgument::List& items) {
 }  // namespace
 
 std::string_view unitSuffix(Unit unit) {
-  switch (unit) {
-    case Unit::None:
-      return "";
-    case Unit::Degrees:
-      return "°";
-    case Unit::Millimetres:
-      return " mm";
-    case Unit::MilliG:
-      return " mg";
-    case Unit::Seconds:
-      return " s";
-  }
-  return "";
+  constexpr std::array<std::string_view, 5> kSuffixes = {"", "°", " mm", " mg", " s"};  // in the order of Unit
+  return kSuffixes.at(static_cast<std::size_t>(unit));
 }
 
 Message::Message(std::string english, std::vector<MessageArgument> arguments)

@@ -1,7 +1,6 @@
 #include "hexoderm/base/se3.h"
 
 #include <Eigen/SVD>
-#include <algorithm>
 #include <cmath>
 
 namespace hexoderm {

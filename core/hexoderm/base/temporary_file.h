@@ -47,8 +47,6 @@ class TemporaryFile {
   /// `name` is what errors call the target.
   TemporaryFile(const std::filesystem::path& target, std::string name, Naming naming = Naming::AtTheEnd);
   ~TemporaryFile();
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   [[nodiscard]] int descriptor() const { return file_.get(); }
   /// Empty as long as it has no name.
@@ -82,8 +80,6 @@ class TemporaryFolder {
  public:
   TemporaryFolder(const std::filesystem::path& parent, const std::string& name);
   ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

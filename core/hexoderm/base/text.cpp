@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/split.hpp>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -57,16 +58,7 @@ bool steersTerminal(std::uint32_t code) {
 }
 
 std::string escapeOf(std::uint32_t code) {
-  switch (code) {
-    case '\n':
-      return "\\n";
-    case '\r':
-      return "\\r";
-    case '\t':
-      return "\\t";
-    default:
-      return fmt::format("\\u{:04x}", code);
-  }
+  return code == '\n' ? "\\n" : code == '\r' ? "\\r" : code == '\t' ? "\\t" : fmt::format("\\u{:04x}", code);
 }
 
 }  // namespace
@@ -106,22 +98,12 @@ unsigned parseUnsigned(std::string_view text, std::string_view what) {
 }
 
 std::string excerptOf(std::string_view bytes, std::size_t most) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text;
   for (const char c : bytes) {
-    std::string next;
     const auto byte = static_cast<unsigned char>(c);
-    if (c == '\n') {
-      next = "\\n";
-    } else if (c == '\r') {
-      next = "\\r";
-    } else if (c == '\t') {
-      next = "\\t";
-    } else if (byte < 0x20 || byte >= 0x7F) {
-      next = {'\\', 'x', kDigits[byte / 16], kDigits[byte % 16]};
-    } else {
-      next = c;
-    }
+    const std::string next = c == '\n' || c == '\r' || c == '\t' ? escapeOf(byte)
+                             : byte < 0x20 || byte >= 0x7F       ? fmt::format("\\x{:02x}", byte)
+                                                                 : std::string(1, c);
     if (text.size() + next.size() > most) return text + "...";
     text += next;
   }
@@ -136,13 +118,8 @@ std::string_view trimmed(std::string_view text) {
 
 std::vector<std::string> split(std::string_view text, char separator) {
   std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (true) {
-    const std::size_t end = text.find(separator, begin);
-    parts.emplace_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return parts;
-    begin = end + 1;
-  }
+  boost::algorithm::split(parts, text, [separator](char c) { return c == separator; });
+  return parts;
 }
 
 std::string shortened(std::string_view text, std::size_t most) {

@@ -4,7 +4,7 @@
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/session/session_edit.h"
 #include "hexoderm/session/session_recorder.h"
-#include "hexoderm/solve/metrics/pose_advisor.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/result/reconstruction.h"
 
 #include <chrono>

@@ -3,7 +3,6 @@
 #include "hexoderm/base/message.h"
 #include "hexoderm/capture/capture_workflow.h"
 #include "hexoderm/capture/pose_recorder.h"
-#include "hexoderm/capture/stillness_statistics.h"
 #include "hexoderm/device/skin_source.h"
 #include "hexoderm/session/session.h"
 #include "hexoderm/solve/result/reconstruction.h"
@@ -101,8 +100,6 @@ class LiveCapture {
   LiveCapture(LiveCaptureOptions options, std::unique_ptr<SkinSource> source, Listener listener);
   /// Ends the capture as close() does, and throws nothing.
   ~LiveCapture();
-  LiveCapture(const LiveCapture&) = delete;
-  LiveCapture& operator=(const LiveCapture&) = delete;
 
   /// Connects, as SkinSource::start(). Call once, and only for a source that was handed over.
   void start();

@@ -1,7 +1,6 @@
 #include "hexoderm/capture/pose_recorder.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/capture/capture_window.h"
 #include "hexoderm/device/cell_index.h"

@@ -1,7 +1,5 @@
 #include "hexoderm/capture/skin_check.h"
 
-#include "hexoderm/base/text.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

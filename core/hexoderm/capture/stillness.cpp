@@ -2,10 +2,7 @@
 
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
-
-#include <cmath>
 
 namespace hexoderm {
 

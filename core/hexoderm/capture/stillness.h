@@ -4,7 +4,6 @@
 #include "hexoderm/base/message.h"
 
 #include <cstddef>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,4 +1,4 @@
-#include "hexoderm/capture/stillness_statistics.h"
+#include "hexoderm/capture/pose_recorder.h"
 
 #include <algorithm>
 #include <functional>

@@ -4,7 +4,6 @@
 #include "hexoderm/io/export_csv.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/export_taxels.h"
-#include "hexoderm/io/skin_tree.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

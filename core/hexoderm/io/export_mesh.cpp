@@ -1,6 +1,5 @@
 #include "hexoderm/io/export_mesh.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/export_support.h"

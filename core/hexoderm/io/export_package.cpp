@@ -4,7 +4,6 @@
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/sha256.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/zip.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/export_files.h"

@@ -2,7 +2,6 @@
 
 #include "hexoderm/io/export_selection.h"
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

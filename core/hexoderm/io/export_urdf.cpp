@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/algorithm/string/replace.hpp>
 #include <optional>
 #include <pugixml.hpp>
 #include <set>
@@ -222,11 +223,7 @@ std::string robotUrdfBytes(const RobotUrdf& robot, const UrdfContent& content) {
   } else {
     added.insert(0, "\n");
   }
-  if (robot.text.find("\r\n") != std::string::npos) {
-    std::string with_returns;
-    for (const char c : added) with_returns += c == '\n' ? "\r\n" : std::string(1, c);
-    added = std::move(with_returns);
-  }
+  if (robot.text.find("\r\n") != std::string::npos) boost::algorithm::replace_all(added, "\n", "\r\n");
   return robot.text.substr(0, at) + added + robot.text.substr(at);
 }
 

@@ -1,7 +1,6 @@
 #include "hexoderm/io/export_vtp.h"
 
 #include "hexoderm/base/covariance.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_support.h"
 #include "hexoderm/io/xml_writing.h"
 #include "hexoderm/solve/metrics/patch_mesh.h"

@@ -3,7 +3,6 @@
 #include "hexoderm/solve/faults/link_plausibility.h"
 
 #include <algorithm>
-#include <map>
 #include <unordered_map>
 
 namespace hexoderm {

@@ -8,7 +8,6 @@
 #include <pugixml.hpp>
 
 #include <array>
-#include <cmath>
 #include <map>
 #include <optional>
 #include <set>

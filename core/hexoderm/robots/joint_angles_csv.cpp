@@ -223,14 +223,10 @@ class JointAnglesReader {
     if (!name.empty()) {
       const ColumnUnit* unit = unitNamed(name);
       if (unit != nullptr && unit->of == of) return unit->factor;
-      switch (of) {
-        case ColumnUnit::Of::Angle:
-          failIn(title, message("expected the unit deg or rad, found {}", excerptOf(name)));
-        case ColumnUnit::Of::Length:
-          failIn(title, message("expected the unit m or mm, found {}", excerptOf(name)));
-        case ColumnUnit::Of::Time:
-          failIn(title, message("expected the unit s, ms, us or ns, found {}", excerptOf(name)));
-      }
+      failIn(title, of == ColumnUnit::Of::Angle ? message("expected the unit deg or rad, found {}", excerptOf(name))
+                    : of == ColumnUnit::Of::Length
+                        ? message("expected the unit m or mm, found {}", excerptOf(name))
+                        : message("expected the unit s, ms, us or ns, found {}", excerptOf(name)));
     }
     if (of == ColumnUnit::Of::Time) return 1;
     if (of == ColumnUnit::Of::Length) failIn(title, message("expected the unit in the title, as in lift[m]"));

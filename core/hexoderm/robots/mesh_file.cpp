@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <new>
 #include <system_error>
-#include <utility>
 
 namespace hexoderm {
 namespace {

@@ -16,8 +16,6 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <kdl/frames.hpp>
 #include <kdl/segment.hpp>
 #include <mutex>
@@ -171,24 +169,17 @@ class UrdfConverter {
   }
 
   [[nodiscard]] JointType typeOf(const urdf::Joint& joint, std::vector<Message>& notes) const {
-    switch (joint.type) {
-      case urdf::Joint::REVOLUTE:
-        return JointType::Revolute;
-      case urdf::Joint::CONTINUOUS:
-        return JointType::Continuous;
-      case urdf::Joint::PRISMATIC:
-        return JointType::Prismatic;
-      case urdf::Joint::FIXED:
-        return JointType::Fixed;
-      case urdf::Joint::FLOATING:
-        notes.push_back(message("Joint {} is a floating one; it is taken as fixed at its zero.", joint.name));
-        return JointType::Fixed;
-      case urdf::Joint::PLANAR:
-        notes.push_back(message("Joint {} is a planar one; it is taken as fixed at its zero.", joint.name));
-        return JointType::Fixed;
-      default:
-        fail(message("expected the type revolute, continuous, prismatic, fixed, floating or planar"));
+    if (joint.type == urdf::Joint::REVOLUTE) return JointType::Revolute;
+    if (joint.type == urdf::Joint::CONTINUOUS) return JointType::Continuous;
+    if (joint.type == urdf::Joint::PRISMATIC) return JointType::Prismatic;
+    if (joint.type == urdf::Joint::FLOATING) {
+      notes.push_back(message("Joint {} is a floating one; it is taken as fixed at its zero.", joint.name));
+    } else if (joint.type == urdf::Joint::PLANAR) {
+      notes.push_back(message("Joint {} is a planar one; it is taken as fixed at its zero.", joint.name));
+    } else if (joint.type != urdf::Joint::FIXED) {
+      fail(message("expected the type revolute, continuous, prismatic, fixed, floating or planar"));
     }
+    return JointType::Fixed;
   }
 
   [[nodiscard]] JointMimic mimicOf(const urdf::JointMimic& mimic) const {

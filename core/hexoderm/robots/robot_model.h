@@ -44,6 +44,8 @@ struct RobotJoint {
   std::optional<JointMimic> mimic;
   /// Has a position of its own: neither fixed nor mimicking another joint.
   [[nodiscard]] bool isFree() const { return type != JointType::Fixed && !mimic; }
+  /// Turns about its axis, with limits or without.
+  [[nodiscard]] bool turns() const { return type == JointType::Revolute || type == JointType::Continuous; }
 };
 
 /// A box around the origin of its frame.

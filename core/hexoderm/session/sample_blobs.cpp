@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -25,24 +24,18 @@ constexpr std::uint32_t kHasTemperature = 1;
 constexpr std::uint32_t kSameCells = 1U << 31U;
 constexpr int kMaxSteps = std::numeric_limits<std::int16_t>::max();
 
-/// Writes into memory of a size that is known beforehand, or bounded: a pose has millions of numbers.
+/// Numbers one after another, as they stand in memory.
 class Writer {
  public:
-  explicit Writer(std::size_t size) : bytes_(size) {}
   template <class T>
   void put(T value) {
-    assert(sizeof(T) <= bytes_.size() - at_);
-    std::memcpy(bytes_.data() + at_, &value, sizeof(T));
-    at_ += sizeof(T);
+    const auto* const first = reinterpret_cast<const std::uint8_t*>(&value);
+    bytes_.insert(bytes_.end(), first, first + sizeof(T));
   }
-  Bytes take() {
-    bytes_.resize(at_);
-    return std::move(bytes_);
-  }
+  Bytes take() { return std::move(bytes_); }
 
  private:
   Bytes bytes_;
-  std::size_t at_ = 0;
 };
 
 class Reader {
@@ -196,12 +189,7 @@ void putHead(const SampleFrame& frame, bool without_cells, Writer& out) {
 
 /// Nothing if a reading is no whole number of steps.
 std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double step) {
-  constexpr std::size_t kMaxBytesOfSample = sizeof(std::uint32_t) + 3 * sizeof(std::int16_t);
-  std::size_t most = 16;
-  for (const SampleFrame& frame : frames) {
-    most += 20 + kMaxBytesOfSample * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
-  }
-  Writer out(most);
+  Writer out;
   out.put(std::uint32_t{2});
   out.put(countOf(frames.size()));
   out.put(step);
@@ -236,7 +224,7 @@ std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double ste
 }  // namespace
 
 Bytes encodeSamples(std::span<const GravitySample> samples) {
-  Writer out(samples.size() * kSampleBytes);
+  Writer out;
   for (const GravitySample& sample : samples) {
     requireStorable(sample);
     out.put(sample.cell.value());
@@ -292,13 +280,7 @@ Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g) {
   if (lsb_g > 0) {
     if (std::optional<Bytes> bytes = encodeSteps(frames, lsb_g)) return std::move(*bytes);
   }
-  const std::size_t width = is_short ? sizeof(float) : sizeof(double);
-  std::size_t size = 8;
-  for (const SampleFrame& frame : frames) {
-    size += 20 + (4 + 3 * width) * frame.samples.size() + (8 + 6 * width) * frame.means.size() +
-            (4 + width) * frame.temperatures.size();
-  }
-  Writer out(size);  // less where cells are left out
+  Writer out;
   const auto put = [&](double value) { is_short ? out.put(static_cast<float>(value)) : out.put(value); };
   out.put(is_short ? 4U : 8U);
   out.put(countOf(frames.size()));

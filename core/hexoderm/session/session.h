@@ -60,23 +60,25 @@ class Session {
   /// the neighbours, SkinGraph finds.
   Session(CellModel model, NeighborList neighbors, SourceDescription source = {});
 
-  [[nodiscard]] const CellModel& model() const { return *model_; }             ///< the kind of its cells
-  [[nodiscard]] const NeighborList& neighbors() const { return *neighbors_; }  ///< the links that cells report
+  [[nodiscard]] const CellModel& model() const { return *now_.model; }             ///< the kind of its cells
+  [[nodiscard]] const NeighborList& neighbors() const { return *now_.neighbors; }  ///< the links that cells report
   /// All poses, in their order, disabled ones too.
-  [[nodiscard]] const std::vector<SessionPose>& poses() const { return poses_; }
-  [[nodiscard]] const SourceDescription& source() const { return source_; }  ///< where the session is from
-  [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const { return truth_; }  ///< null: it is not known
+  [[nodiscard]] const std::vector<SessionPose>& poses() const { return now_.poses; }
+  [[nodiscard]] const SourceDescription& source() const { return now_.source; }  ///< where the session is from
+  [[nodiscard]] const std::shared_ptr<const GroundTruth>& truth() const {
+    return now_.truth;
+  }  ///< null: it is not known
   /// The muted links, in ascending order of their ends.
-  [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return muted_links_; }
+  [[nodiscard]] const std::vector<MutedLink>& mutedLinks() const { return now_.muted_links; }
   /// Null if the link between these ports, in either order, is not set aside.
   [[nodiscard]] const MutedLink* findMutedLink(LinkEnd a, LinkEnd b) const;
   /// The robot that wears the skin, where it was said.
-  [[nodiscard]] const std::optional<RobotDescription>& robot() const { return robot_; }
+  [[nodiscard]] const std::optional<RobotDescription>& robot() const { return now_.robot; }
   /// What was decided about the places of patches on the robot, in ascending order of their origin cells.
-  [[nodiscard]] const std::vector<PatchPlacement>& placements() const { return placements_; }
+  [[nodiscard]] const std::vector<PatchPlacement>& placements() const { return now_.placements; }
   /// Null if nothing was decided under this origin cell.
   [[nodiscard]] const PatchPlacement* findPlacement(CellId origin) const;
-  [[nodiscard]] std::uint64_t revision() const { return revision_; }  ///< counts the changes of the session
+  [[nodiscard]] std::uint64_t revision() const { return now_.revision; }  ///< counts the changes of the session
 
   /// The device describes itself again: poses, source and truth stay. Throws as the constructor, and changes nothing
   /// then.
@@ -109,16 +111,8 @@ class Session {
   [[nodiscard]] std::shared_ptr<const SessionSnapshot> snapshot() const;
 
  private:
-  std::shared_ptr<const CellModel> model_;
-  std::shared_ptr<const NeighborList> neighbors_;
-  std::vector<SessionPose> poses_;
-  SourceDescription source_;
-  std::shared_ptr<const GroundTruth> truth_;
-  std::vector<MutedLink> muted_links_;
-  std::optional<RobotDescription> robot_;
-  std::vector<PatchPlacement> placements_;
+  SessionSnapshot now_;
   std::uint32_t largest_pose_id_ = 0;
-  std::uint64_t revision_ = 1;
 };
 
 }  // namespace hexoderm

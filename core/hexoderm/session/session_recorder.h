@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace hexoderm {
@@ -40,8 +39,6 @@ class SessionRecorder {
   /// disk, so call flush() and wait for its acknowledgement first if that matters. Operations that can't be written are
   /// acknowledged with a final error.
   ~SessionRecorder();
-  SessionRecorder(const SessionRecorder&) = delete;
-  SessionRecorder& operator=(const SessionRecorder&) = delete;
 
   /// "Captured" may be shown when `done` is called with success. `done` may be empty.
   void append(std::vector<StoreOperation> operations, Acknowledge done);

@@ -5,7 +5,6 @@
 #include "hexoderm/base/message.h"
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <string>

@@ -11,7 +11,6 @@
 #include <functional>
 #include <map>
 #include <random>
-#include <string>
 #include <tuple>
 #include <unordered_map>
 #include <utility>

@@ -1,15 +1,16 @@
 #include "hexoderm/sim/patch_layout.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/sim/sheet_relaxation.h"
 #include "hexoderm/skin/breadth_first.h"
 
 #include <Eigen/Eigenvalues>
+#include <boost/functional/hash.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/range/iterator_range.hpp>
 #include <cmath>
 #include <cstdint>
+#include <tuple>
 #include <unordered_map>
 
 namespace hexoderm {
@@ -73,37 +74,23 @@ SE3 cellAtEnd(const GeodesicPoint& end, const Eigen::Vector3d& normal, const Por
 
 /// Two cells nearer than half a link lie on top of each other: the patch goes round the body and meets itself.
 void requireNoOverlap(const std::vector<SE3>& cells, double closest_m) {
-  struct Key {
-    std::int64_t x, y, z;
-    bool operator==(const Key&) const = default;
-  };
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      return static_cast<std::size_t>(key.x * 73856093 ^ key.y * 19349663 ^ key.z * 83492791);
-    }
-  };
-  const auto keyOf = [&](const Eigen::Vector3d& t) {
-    return Key{std::llround(t.x() / closest_m), std::llround(t.y() / closest_m), std::llround(t.z() / closest_m)};
-  };
-  std::unordered_multimap<Key, std::size_t, Hash> boxes;
+  using Box = std::tuple<std::int64_t, std::int64_t, std::int64_t>;
+  std::unordered_multimap<Box, std::size_t, boost::hash<Box>> boxes;
   boxes.reserve(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    const Key box = keyOf(cells[k].t);
-    for (std::int64_t dx = -1; dx <= 1; ++dx) {
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        for (std::int64_t dz = -1; dz <= 1; ++dz) {
-          const auto [first, last] = boxes.equal_range(Key{box.x + dx, box.y + dy, box.z + dz});
-          for (auto other = first; other != last; ++other) {
-            if ((cells[k].t - cells[other->second].t).norm() < closest_m) {
-              throw InvalidArgument(
-                  message("the surface is too small for this patch: cells {} and {} would lie on top of each other",
-                          other->second + 1, k + 1));
-            }
-          }
-        }
+    const Eigen::Vector3d box = (cells[k].t / closest_m).array().round();
+    const auto at = [&](int axis, int by) { return static_cast<std::int64_t>(box[axis]) + by; };
+    for (int near = 0; near < 27; ++near) {
+      const Box beside(at(0, near / 9 - 1), at(1, near / 3 % 3 - 1), at(2, near % 3 - 1));
+      const auto [first, last] = boxes.equal_range(beside);
+      for (auto other = first; other != last; ++other) {
+        if ((cells[k].t - cells[other->second].t).norm() >= closest_m) continue;
+        throw InvalidArgument(
+            message("the surface is too small for this patch: cells {} and {} would lie on top of each other",
+                    other->second + 1, k + 1));
       }
     }
-    boxes.emplace(box, k);
+    boxes.emplace(Box(at(0, 0), at(1, 0), at(2, 0)), k);
   }
 }
 

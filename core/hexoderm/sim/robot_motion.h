@@ -8,7 +8,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <random>
 #include <vector>
 
 namespace hexoderm {

@@ -43,13 +43,7 @@ SimulatedSkinOptions skinOptions(const RobotText& words, const std::string& moti
   SimulatedSkinOptions options = words.ideal         ? SimulatedSkinOptions::ideal()
                                  : motion == "robot" ? SimulatedSkinOptions::robot()
                                                      : SimulatedSkinOptions();
-  options.patch = words.patch;
-  options.surface = words.surface;
-  options.seed = words.seed;
-  options.link_law = words.link_law;
-  options.faults = words.faults;
-  options.link_faults = words.link_faults;
-  options.whole_skin_faults = words.whole_skin_faults;
+  static_cast<SkinChoice&>(options) = words;
   return options;
 }
 
@@ -68,10 +62,7 @@ SimulatedRobotOptions robotOptions(const RobotText& words) {
   parseLivePatch(words.patch);
   if (!words.surface.empty()) makeSurface(words.surface);
   options.seed = words.seed;
-  options.skin.link_law = words.link_law;
-  options.skin.faults = words.faults;
-  options.skin.link_faults = words.link_faults;
-  options.skin.whole_skin_faults = words.whole_skin_faults;
+  static_cast<SkinChoice&>(options.skin) = words;
   for (const std::string& mount : words.mounts) options.mounts.push_back(mountOf(mount, words));
   if (options.mounts.empty()) {
     if (words.robot != kDemoRobotName) {

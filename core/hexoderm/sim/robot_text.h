@@ -12,21 +12,13 @@ namespace hexoderm {
 /// How a mount is written: m and rad in the link's frame (PatchMount::T_l_m).
 inline constexpr std::string_view kMountSyntax = "LINK:X,Y,Z or LINK:X,Y,Z,ROLL,PITCH,YAW";
 
-/// A simulated robot as people name it, in the options of a program or in an address.
-struct RobotText {
+/// A simulated robot, all of whose patches are alike, as people name it, in the options of a program or in an address.
+struct RobotText : SkinChoice {
   std::string robot;                  ///< as for robotNamed(); empty: none, a skin alone
   std::vector<std::string> packages;  ///< likewise
   std::vector<std::string> mounts;    ///< kMountSyntax; none: demoMounts(), for the demo robot only
   std::string base = "fixed";         ///< or motors: fixed, with the motors on; or hand
-  // Of all patches, as in SimulatedSkinOptions and PatchMount:
-  std::string patch = "x17";
-  std::string surface;
-  LinkLaw link_law = LinkLaw::Bend;
-  std::uint64_t seed = 1;
-  bool ideal = false;  ///< SimulatedRobotOptions::ideal()
-  std::vector<CellFault> faults;
-  std::vector<LinkFault> link_faults;
-  std::vector<WholeSkinFault> whole_skin_faults;
+  bool ideal = false;                 ///< SimulatedRobotOptions::ideal()
 };
 
 /// Throws InvalidArgument for a text that is none of kMountSyntax, or has numbers that no place has.

@@ -66,11 +66,6 @@ class SimulatedBody {
   void requireCell(CellId cell) const;
 
  protected:
-  SimulatedBody() = default;
-  SimulatedBody(const SimulatedBody&) = default;
-  SimulatedBody(SimulatedBody&&) = default;
-  SimulatedBody& operator=(const SimulatedBody&) = default;
-  SimulatedBody& operator=(SimulatedBody&&) = default;
 
   /// Of length 1. Throws InvalidArgument for what is no direction.
   static Eigen::Vector3d unitUp(const Eigen::Vector3d& up);

@@ -1,7 +1,6 @@
 #include "hexoderm/sim/simulated_faults.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/random_streams.h"
 

@@ -23,15 +23,22 @@ enum class LinkLaw {
 std::string_view linkLawName(LinkLaw law);       ///< "bend", "surface"
 LinkLaw linkLawFromName(std::string_view name);  ///< throws InvalidArgument for a name that is none
 
-/// A skin, its errors and how it is held.
-struct SimulatedSkinOptions {
+/// What a skin is like and what is wrong with it.
+struct SkinChoice {
   std::string patch = "x17";  ///< x17 | ringN | ringN:closed | sheet:ROWSxCOLS
   std::string surface;        ///< plane | cylinder:r=M | sphere:r=M | cone:r=M,angle=RAD | torus:R=M,r=M
                               ///< empty: x17 on cylinder r=0.0501, rings on the cup that closes them, else a plane
-  /// Where it is given, the surface itself instead of its description.
-  std::shared_ptr<const Surface> laid_on{};
   LinkLaw link_law = LinkLaw::Bend;
   std::uint64_t seed = 1;
+  std::vector<CellFault> faults;
+  std::vector<LinkFault> link_faults;
+  std::vector<WholeSkinFault> whole_skin_faults;
+};
+
+/// A skin, its errors and how it is held.
+struct SimulatedSkinOptions : SkinChoice {
+  /// Where it is given, the surface itself instead of its description.
+  std::shared_ptr<const Surface> laid_on{};
   /// Chips of one lot share a part of their offsets, which is drawn from this; absent: from the seed.
   std::optional<std::uint64_t> lot_seed{};
   double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
@@ -48,11 +55,8 @@ struct SimulatedSkinOptions {
   double reading_rate_hz = 0;             ///< readings a second and cell; 0: the cell model's rate
   double least_vibration_g = 0.008;       ///< on a robot: rms of an axis, drawn per cell and axis from this ...
   double most_vibration_g = 0.035;        ///< ... to this
-  std::vector<CellFault> faults;
-  std::vector<LinkFault> link_faults;
-  std::vector<WholeSkinFault> whole_skin_faults;
-  std::size_t reglued_before = 2;  ///< recordings before the one that Reglued cells turn in front of
-  double joint_angle_rad = 0;      ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
+  std::size_t reglued_before = 2;         ///< recordings before the one that Reglued cells turn in front of
+  double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
 
   SimulatedSkinOptions();
   /// Throws InvalidArgument naming the option.

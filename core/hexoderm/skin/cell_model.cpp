@@ -3,7 +3,6 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/is_rotation.h"
 #include "hexoderm/base/limits.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/cell_lengths.h"
 

@@ -5,7 +5,6 @@
 #include "hexoderm/base/units.h"
 
 #include <array>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>

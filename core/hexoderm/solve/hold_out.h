@@ -2,7 +2,6 @@
 
 #include "hexoderm/solve/result/reconstruction.h"
 
-#include <optional>
 #include <stop_token>
 #include <vector>
 

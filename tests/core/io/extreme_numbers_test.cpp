@@ -10,7 +10,7 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/skin/cell_model_json.h"
 #include "hexoderm/solve/checks/evaluation.h"
-#include "hexoderm/solve/metrics/pose_advisor.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/solvers.h"

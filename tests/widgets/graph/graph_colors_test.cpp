@@ -1,6 +1,6 @@
 // The graph's colours, its legend, its tooltips and its context menu.
 
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
 #include "widgets/coloring/coloring_words.h"

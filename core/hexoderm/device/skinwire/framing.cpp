@@ -5,7 +5,6 @@
 #include "hexoderm/device/skinwire/little_endian.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 namespace hexoderm::skinwire {
@@ -121,15 +120,8 @@ std::optional<Decoded> FrameDecoder::next() {
     if (std::optional<Decoded> neither = detect()) return neither;
   }
   if (!framing_) return std::nullopt;
-  switch (*framing_) {
-    case Framing::Length:
-      return nextByLength();
-    case Framing::Cobs:
-      return nextByDelimiter(0, kMaxCobs);
-    case Framing::Lines:
-      return nextByDelimiter('\n', kMaxBody);
-  }
-  return std::nullopt;
+  if (*framing_ == Framing::Length) return nextByLength();
+  return *framing_ == Framing::Cobs ? nextByDelimiter(0, kMaxCobs) : nextByDelimiter('\n', kMaxBody);
 }
 
 std::optional<Decoded> FrameDecoder::detect() {

@@ -28,8 +28,6 @@ class StreamRecorder final : public SkinListener {
   /// `next` must outlive the recorder.
   StreamRecorder(std::filesystem::path path, SkinListener& next);
   ~StreamRecorder() override;
-  StreamRecorder(const StreamRecorder&) = delete;
-  StreamRecorder& operator=(const StreamRecorder&) = delete;
 
   void onSkin(const SkinDescription& skin) override;
   void onFrame(const SampleFrame& frame) override;

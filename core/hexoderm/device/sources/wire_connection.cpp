@@ -1,7 +1,5 @@
 #include "hexoderm/device/sources/wire_connection.h"
 
-#include "hexoderm/base/text.h"
-
 #include <algorithm>
 #include <cmath>
 

@@ -11,7 +11,6 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/serial_port.hpp>
 
-#include <array>
 #include <thread>
 #include <type_traits>
 #include <vector>

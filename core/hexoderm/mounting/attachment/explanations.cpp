@@ -3,7 +3,6 @@
 #include "hexoderm/base/units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace hexoderm {
@@ -25,8 +24,7 @@ class MismatchSearch {
         compared_(compared) {
     const std::vector<RobotJoint>& joints = compared.robot.joints();
     for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-      const bool turns = joints[joint].type == JointType::Revolute || joints[joint].type == JointType::Continuous;
-      if (turns) turning_.push_back(joint);
+      if (joints[joint].turns()) turning_.push_back(joint);
     }
   }
 

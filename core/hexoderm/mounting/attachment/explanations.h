@@ -6,7 +6,6 @@
 #include "hexoderm/mounting/attachment/link_test.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace hexoderm {

@@ -7,10 +7,6 @@
 namespace hexoderm {
 namespace {
 
-bool isTurning(const RobotJoint& joint) {
-  return joint.type == JointType::Revolute || joint.type == JointType::Continuous;
-}
-
 bool anyNames(std::span<const JointAngles> angles, const std::string& joint) {
   return std::ranges::any_of(angles, [&](const JointAngles& pose) { return pose.positions.contains(joint); });
 }
@@ -31,7 +27,7 @@ LinkGravity::LinkGravity(const RobotModel& robot, std::span<const JointAngles> a
     std::vector<Step>& steps = steps_to_.emplace_back();
     std::vector<std::size_t>& followed = joints_to_.emplace_back();
     for (auto joint = robot.links()[link].joint; joint; joint = robot.links()[joints[*joint].parent].joint) {
-      if (!isTurning(joints[*joint])) continue;
+      if (!joints[*joint].turns()) continue;
       Step step{*joint, *joint, 1};
       bool is_known_itself = false;
       while (joints[step.follows].mimic && !is_known_itself) {
@@ -39,7 +35,7 @@ LinkGravity::LinkGravity(const RobotModel& robot, std::span<const JointAngles> a
         step.multiplier *= joints[step.follows].mimic->multiplier;
         step.follows = joints[step.follows].mimic->joint;
       }
-      if (is_known_itself || !isTurning(joints[step.follows])) continue;
+      if (is_known_itself || !joints[step.follows].turns()) continue;
       steps.push_back(step);
       followed.push_back(step.follows);
     }

@@ -1,7 +1,6 @@
 #include "hexoderm/mounting/attachment/robot_estimate.h"
 
 #include "hexoderm/base/covariance.h"
-#include "hexoderm/base/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 namespace hexoderm {
 namespace {
 
-bool turnsLinks(const RobotJoint& joint) { return joint.isFree() && joint.type != JointType::Prismatic; }
+bool turnsLinks(const RobotJoint& joint) { return joint.isFree() && joint.turns(); }
 
 }  // namespace
 

@@ -1,9 +1,9 @@
 #include "hexoderm/mounting/parts/compared_poses.h"
 
 #include "hexoderm/base/se3.h"
+#include "hexoderm/mounting/parts/farthest_first.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 
 namespace hexoderm {
@@ -46,14 +46,9 @@ std::vector<PoseId> differentPoses(const std::vector<const PatchReconstruction*>
   if (all.size() <= most) return all;
   std::vector<UpByPose> up;
   for (const PatchReconstruction* patch : patches) up.push_back(upByPose(*patch));
-  std::vector<PoseId> chosen = {all.front()};
-  std::vector<double> nearest(all.size(), std::numeric_limits<double>::infinity());
-  while (chosen.size() < most) {
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      nearest[k] = std::min(nearest[k], differenceOf(up, all[k], chosen.back()));
-    }
-    chosen.push_back(all[static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin())]);
-  }
+  std::vector<PoseId> chosen;
+  const auto difference = [&](std::size_t a, std::size_t b) { return differenceOf(up, all[a], all[b]); };
+  for (const std::size_t k : farthestFirst(all.size(), most, 0, difference)) chosen.push_back(all[k]);
   std::ranges::sort(chosen);
   return chosen;
 }

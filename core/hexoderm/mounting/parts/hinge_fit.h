@@ -3,7 +3,7 @@
 // Private to robot/.
 
 #include "hexoderm/mounting/parts/gravity_seen.h"
-#include "hexoderm/mounting/parts/hinges.h"
+#include "hexoderm/mounting/parts/parts.h"
 
 namespace hexoderm {
 

@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/mounting/parts/compared_poses.h"
 #include "hexoderm/mounting/parts/hand_share.h"
 #include "hexoderm/mounting/parts/hinge_fit.h"

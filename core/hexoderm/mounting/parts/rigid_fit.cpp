@@ -8,7 +8,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <map>
-#include <numeric>
 
 namespace hexoderm {
 namespace {

@@ -1,4 +1,5 @@
-#include "hexoderm/mounting/place/by_gravity.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "hexoderm/mounting/place/place.h"
 
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"

@@ -4,12 +4,11 @@
 #include "hexoderm/base/mesh_feet.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/mounting/place/by_gravity.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "hexoderm/mounting/place/place.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace hexoderm {
 

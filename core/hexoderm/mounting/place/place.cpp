@@ -1,11 +1,12 @@
 #include "hexoderm/mounting/place/place.h"
+#include "hexoderm/mounting/attachment/links.h"
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/is_rotation.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/mounting/place/by_gravity.h"
+#include "hexoderm/mounting/parts/farthest_first.h"
 #include "hexoderm/mounting/place/by_hand.h"
 #include "hexoderm/mounting/place/freedom.h"
 #include "hexoderm/mounting/place/placement_fit.h"
@@ -16,7 +17,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 namespace hexoderm {
@@ -419,18 +419,12 @@ class Placement {
 
 /// Indices of cells all over a patch, ascending, the origin among them.
 std::vector<std::size_t> chosenCells(const PatchReconstruction& patch) {
-  std::vector<std::size_t> chosen;
   std::size_t origin = 0;
   while (origin + 1 < patch.cells.size() && patch.cells[origin].cell != patch.origin) ++origin;
-  std::vector<double> away(patch.cells.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t next = origin; chosen.size() < std::min(kMaxPlacedCells, patch.cells.size());) {
-    chosen.push_back(next);
-    for (std::size_t k = 0; k < away.size(); ++k) {
-      away[k] = std::min(away[k], (patch.cells[k].T_o_u.t - patch.cells[next].T_o_u.t).norm());
-    }
-    for (const std::size_t taken : chosen) away[taken] = -1;
-    next = static_cast<std::size_t>(std::ranges::max_element(away) - away.begin());
-  }
+  if (patch.cells.empty()) return {};
+  std::vector<std::size_t> chosen = farthestFirst(
+      patch.cells.size(), kMaxPlacedCells, origin,
+      [&](std::size_t a, std::size_t b) { return (patch.cells[a].T_o_u.t - patch.cells[b].T_o_u.t).norm(); });
   std::ranges::sort(chosen);
   return chosen;
 }

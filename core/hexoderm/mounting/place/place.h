@@ -12,11 +12,28 @@
 
 namespace hexoderm {
 
+struct PatchLinks;
+
 /// How a patch is turned on its link, from gravity for example: R_true = R_l_o exp(e), e in the patch's frame.
 struct KnownRotation {
   Eigen::Matrix3d R_l_o = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Identity();  ///< of e, rad^2, positive definite
 };
+
+/// How a patch is turned on a link, with its covariance, as findLinks() found it: of the link that it is placed on, of
+/// one that fits, or of the one that comes nearest. nullopt where the link is none of these.
+std::optional<KnownRotation> rotationByGravity(const PatchLinks& patch, std::string_view link);
+
+/// A turn that gravity does not allow.
+struct AgainstGravity {
+  double angle_rad = 0;  ///< about the axes that are known
+  double sigma_rad = 0;  ///< of how the patch is turned about them, the worst way
+};
+/// Whether R_l_o is another turn than the known one, about axes that are known to 15 degrees or better: by more than
+/// `slack_rad` and its uncertainty make probable (99.9 %). `slack_rad`, above 0, is how far off R_l_o may be itself, 1
+/// sigma an axis.
+std::optional<AgainstGravity> againstGravity(const KnownRotation& known, const Eigen::Matrix3d& R_l_o,
+                                             double slack_rad);
 
 /// A patch whose place on the link is wanted.
 struct PatchToPlace {

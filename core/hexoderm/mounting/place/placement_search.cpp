@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/alignment.h"
 #include "hexoderm/base/units.h"
+#include "hexoderm/mounting/parts/farthest_first.h"
 
 #include <boost/math/distributions/chi_squared.hpp>
 
@@ -44,15 +45,8 @@ std::size_t middleCell(const FitPatch& patch) {
 
 /// Cells all over a patch: each the farthest from those before.
 std::vector<std::size_t> spreadCells(const FitPatch& patch, std::size_t most) {
-  std::vector<std::size_t> chosen = {middleCell(patch)};
-  std::vector<double> away(patch.T_o_u.size(), std::numeric_limits<double>::infinity());
-  while (chosen.size() < std::min(most, patch.T_o_u.size())) {
-    for (std::size_t k = 0; k < away.size(); ++k) {
-      away[k] = std::min(away[k], (patch.T_o_u[k].t - patch.T_o_u[chosen.back()].t).norm());
-    }
-    chosen.push_back(static_cast<std::size_t>(std::ranges::max_element(away) - away.begin()));
-  }
-  return chosen;
+  return farthestFirst(patch.T_o_u.size(), most, middleCell(patch),
+                       [&](std::size_t a, std::size_t b) { return (patch.T_o_u[a].t - patch.T_o_u[b].t).norm(); });
 }
 
 FitProblem coarseProblem(const FitProblem& problem) {
@@ -204,14 +198,9 @@ std::vector<FitState> spreadMinima(const FitProblem& problem, const std::vector<
   for (const FitSolution& minimum : minima) {
     if (hopeful.empty() || minimum.chi_squared <= limit) hopeful.push_back(minimum.state);
   }
-  std::vector<FitState> chosen = {hopeful.front()};
-  std::vector<double> away(hopeful.size(), std::numeric_limits<double>::infinity());
-  while (chosen.size() < std::min(kMaxOfPatch, hopeful.size())) {
-    for (std::size_t k = 0; k < hopeful.size(); ++k) {
-      away[k] = std::min(away[k], distanceBetween(problem, hopeful[k], chosen.back()));
-    }
-    chosen.push_back(hopeful[static_cast<std::size_t>(std::ranges::max_element(away) - away.begin())]);
-  }
+  std::vector<FitState> chosen;
+  const auto distance = [&](std::size_t a, std::size_t b) { return distanceBetween(problem, hopeful[a], hopeful[b]); };
+  for (const std::size_t k : farthestFirst(hopeful.size(), kMaxOfPatch, 0, distance)) chosen.push_back(hopeful[k]);
   return chosen;
 }
 

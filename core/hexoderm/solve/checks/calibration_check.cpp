@@ -9,8 +9,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <unordered_map>
 #include <utility>
 

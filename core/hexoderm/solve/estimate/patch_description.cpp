@@ -1,8 +1,7 @@
 #include "hexoderm/solve/estimate/patch_description.h"
 
-#include "hexoderm/base/alignment.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,6 @@
 #include "hexoderm/solve/tree/tree_placement.h"
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <stop_token>
 #include <vector>

@@ -104,25 +104,19 @@ Message describe(SensorError kind, std::size_t cells, double sigma, const Accele
   const Message what_to_do = message(
       "Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its "
       "uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.");
-  switch (kind) {
-    case SensorError::Offset:
-      return inRow(
-          {message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.", cells,
-                   MilliG{sigma}, MilliG{model.offset_sigma_g}),
-           what_to_do});
-    case SensorError::Scale:
-      return inRow({message("The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model "
-                            "says {} %.",
-                            cells, asPercent(sigma), asPercent(model.scale_sigma)),
-                    what_to_do});
-    case SensorError::CrossAxis:
-      break;
-  }
-  return inRow(
-      {message("The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell "
-               "model says {} %.",
-               cells, asPercent(sigma), asPercent(model.cross_axis_sigma)),
-       what_to_do});
+  const Message spread =
+      kind == SensorError::Offset
+          ? message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.", cells,
+                    MilliG{sigma}, MilliG{model.offset_sigma_g})
+      : kind == SensorError::Scale
+          ? message(
+                "The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model says {} %.",
+                cells, asPercent(sigma), asPercent(model.scale_sigma))
+          : message(
+                "The cross-axis sensitivities of {} accelerometers spread by about {} % (1 sigma), and the cell "
+                "model says {} %.",
+                cells, asPercent(sigma), asPercent(model.cross_axis_sigma));
+  return inRow({spread, what_to_do});
 }
 
 }  // namespace

@@ -1,4 +1,3 @@
-#include "hexoderm/base/units.h"
 #include "hexoderm/skin/cut_elements.h"
 #include "hexoderm/solve/explain/explainer.h"
 

@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/median.h"
 #include "hexoderm/base/se3.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 
 #include <Eigen/Cholesky>

@@ -1,13 +1,11 @@
 #include "hexoderm/solve/faults/link_plausibility.h"
 
 #include "hexoderm/base/se3.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/skin_graph.h"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 namespace hexoderm {
 namespace {

@@ -1,6 +1,5 @@
 #include "hexoderm/solve/faults/suspects.h"
 
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/faults/link_plausibility.h"
 

@@ -3,7 +3,6 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/global/linearize_lanes.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace hexoderm {

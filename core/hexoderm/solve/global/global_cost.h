@@ -9,7 +9,6 @@
 #include "hexoderm/solve/tree/gap_share.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace hexoderm {

@@ -4,7 +4,6 @@
 #include "hexoderm/solve/global/poses_first.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -13,10 +13,7 @@ namespace hexoderm {
 /// it is first asked for. May be read by several threads.
 class GlobalCovariance {
  public:
-  GlobalCovariance() = default;
   virtual ~GlobalCovariance() = default;
-  GlobalCovariance(const GlobalCovariance&) = delete;
-  GlobalCovariance& operator=(const GlobalCovariance&) = delete;
 
   /// 6 x 6 per cell: position in the patch frame, then rotation (R_true = R exp(e)); zero for the origin.
   [[nodiscard]] virtual const Matrix6d& cell(std::size_t cell) const = 0;
@@ -50,10 +47,7 @@ class GlobalCovariance {
 /// memory between them.
 class GlobalSystem {
  public:
-  GlobalSystem() = default;
   virtual ~GlobalSystem() = default;
-  GlobalSystem(const GlobalSystem&) = delete;
-  GlobalSystem& operator=(const GlobalSystem&) = delete;
 
   /// Models the cost about a candidate for the next state; the cost there, which may be NaN.
   virtual double linearize(const GlobalProblem& problem, const GlobalState& candidate) = 0;

@@ -2,7 +2,6 @@
 
 #include "hexoderm/solve/global/pose_angular_accelerations.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 

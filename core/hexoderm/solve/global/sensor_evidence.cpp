@@ -9,15 +9,8 @@ namespace hexoderm {
 namespace {
 
 double sigmaOf(const Accelerometer& accelerometer, SensorError kind) {
-  switch (kind) {
-    case SensorError::Offset:
-      return accelerometer.offset_sigma_g;
-    case SensorError::Scale:
-      return accelerometer.scale_sigma;
-    case SensorError::CrossAxis:
-      break;
-  }
-  return accelerometer.cross_axis_sigma;
+  if (kind == SensorError::Offset) return accelerometer.offset_sigma_g;
+  return kind == SensorError::Scale ? accelerometer.scale_sigma : accelerometer.cross_axis_sigma;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include "hexoderm/base/units.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace hexoderm {
@@ -187,17 +186,10 @@ class Assessor {
   void sayReason() {
     const Message spread = spreadText();
     const Message poses = posesText(poses_);
-    switch (result_.level) {
-      case VerdictLevel::Good:
-        result_.reason = message("Good: {}, {}.", spread, poses);
-        break;
-      case VerdictLevel::Usable:
-        result_.reason = message("Usable: {}, {}.", spread, poses);
-        break;
-      default:
-        result_.reason = poses_ == 0 ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
-                                     : message("Not enough: {}, {}.", spread, poses);
-    }
+    result_.reason = result_.level == VerdictLevel::Good     ? message("Good: {}, {}.", spread, poses)
+                     : result_.level == VerdictLevel::Usable ? message("Usable: {}, {}.", spread, poses)
+                     : poses_ == 0 ? message("Not enough: no pose yet. The shape shown follows from the ports alone.")
+                                   : message("Not enough: {}, {}.", spread, poses);
     std::vector<Message> sentences = {result_.reason};
     if (result_.limit == Limit::Readings) {
       sentences.push_back(message("What limits it is that {} can't be used in {}: the readings are missing or no good.",

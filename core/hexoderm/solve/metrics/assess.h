@@ -1,9 +1,8 @@
 #pragma once
 
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/metrics/pose_advisor.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/result/reconstruction.h"
-#include "hexoderm/solve/result/uncertainty.h"
 
 #include <cstddef>
 #include <functional>

@@ -1,7 +1,7 @@
 #include "hexoderm/solve/metrics/cell_metrics.h"
 
 #include "hexoderm/solve/metrics/cell_links.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include "hexoderm/solve/checks/evaluation.h"
 
-#include <optional>
 #include <span>
 #include <vector>
 

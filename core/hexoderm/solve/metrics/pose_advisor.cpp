@@ -1,4 +1,3 @@
-#include "hexoderm/solve/metrics/pose_advisor.h"
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
@@ -101,16 +100,11 @@ Message adviceText(const PoseAdvice& advice, const Reconstruction& reconstructio
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};
   const CellFacing target = clearestFacing(*patch, advice.up);
-  switch (target.facing) {
-    case Facing::Ceiling:
-      return message("Turn the part so that cell {} faces the ceiling.", target.cell);
-    case Facing::Floor:
-      return message("Turn the part so that cell {} faces the floor.", target.cell);
-    case Facing::Wall:
-      // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
-      return message("Turn the part so that cell {} faces a wall, its side towards the ceiling.", target.cell);
-  }
-  return {};
+  // On a nearly flat patch no cell may face up or down: then its edge does, and the wall is what it faces.
+  return target.facing == Facing::Ceiling ? message("Turn the part so that cell {} faces the ceiling.", target.cell)
+         : target.facing == Facing::Floor
+             ? message("Turn the part so that cell {} faces the floor.", target.cell)
+             : message("Turn the part so that cell {} faces a wall, its side towards the ceiling.", target.cell);
 }
 
 }  // namespace hexoderm

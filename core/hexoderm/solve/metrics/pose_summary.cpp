@@ -1,6 +1,5 @@
 #include "hexoderm/solve/metrics/pose_summary.h"
 
-#include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 
 #include <algorithm>

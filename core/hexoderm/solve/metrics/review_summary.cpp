@@ -3,7 +3,6 @@
 #include "hexoderm/solve/metrics/cell_links.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "hexoderm/solve/metrics/distribution.h"
 #include "hexoderm/solve/result/reconstruction.h"
-#include "hexoderm/solve/result/uncertainty.h"
 
 #include <optional>
 #include <vector>

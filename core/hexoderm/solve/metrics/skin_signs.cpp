@@ -1,6 +1,7 @@
 #include "hexoderm/solve/metrics/skin_signs.h"
 
 #include <algorithm>
+#include <array>
 #include <unordered_map>
 
 namespace hexoderm {
@@ -8,25 +9,11 @@ namespace {
 
 /// About the readings of single cells, which are all that Finding::cells names.
 bool isAboutCells(FindingCode code) {
-  switch (code) {
-    case FindingCode::NoSamples:
-    case FindingCode::DeadSensor:
-    case FindingCode::StuckSensor:
-    case FindingCode::SaturatedSensor:
-    case FindingCode::NoisySensor:
-    case FindingCode::WrongNorm:
-    case FindingCode::DeadAxis:
-    case FindingCode::WrongGain:
-    case FindingCode::InconsistentSensor:
-    case FindingCode::IdenticalReadings:
-    case FindingCode::SwappedReadings:
-    case FindingCode::TurnedSensor:
-    case FindingCode::MovedCell:
-    case FindingCode::SuspiciousSensor:
-      return true;
-    default:
-      return false;
-  }
+  using enum FindingCode;
+  constexpr std::array kAboutCells = {NoSamples,       DeadSensor,   StuckSensor, SaturatedSensor,    NoisySensor,
+                                      WrongNorm,       DeadAxis,     WrongGain,   InconsistentSensor, IdenticalReadings,
+                                      SwappedReadings, TurnedSensor, MovedCell,   SuspiciousSensor};
+  return std::ranges::find(kAboutCells, code) != kAboutCells.end();
 }
 
 bool isAboutALink(const Finding& finding) { return finding.cells.size() == 2 && finding.ports.size() == 2; }

@@ -139,18 +139,10 @@ SurfaceMesh meshSurface(const SurfaceEvaluation& evaluation, const PatchReconstr
     mesh.feet.emplace_back(center - evaluation.distance_m[k] * evaluation.normalAt(center));
   }
   if (mesh.feet.empty()) return mesh;
-  switch (evaluation.kind) {
-    case SurfaceKind::Plane:
-      meshPlane(evaluation, margin_m, mesh);
-      break;
-    case SurfaceKind::Cylinder:
-    case SurfaceKind::Cone:
-      meshCone(evaluation, margin_m, mesh);
-      break;
-    case SurfaceKind::Sphere:
-      meshSphere(evaluation, margin_m, mesh);
-      break;
-  }
+  const auto& add = evaluation.kind == SurfaceKind::Plane    ? meshPlane
+                    : evaluation.kind == SurfaceKind::Sphere ? meshSphere
+                                                             : meshCone;  // of a cylinder too
+  add(evaluation, margin_m, mesh);
   return mesh;
 }
 

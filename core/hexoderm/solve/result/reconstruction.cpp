@@ -3,7 +3,6 @@
 #include "hexoderm/base/enum_names.h"
 
 #include <algorithm>
-#include <array>
 
 namespace hexoderm {
 namespace {

@@ -5,8 +5,7 @@
 #include "hexoderm/session/session.h"
 #include "hexoderm/skin/cell_model.h"
 #include "hexoderm/solve/result/assessment.h"
-#include "hexoderm/solve/result/gravity_covariance.h"
-#include "hexoderm/solve/result/placement_covariance.h"
+#include "hexoderm/solve/result/covariances.h"
 #include "hexoderm/solve/result/solver_options.h"
 
 #include <cstdint>

@@ -5,7 +5,6 @@
 #include "hexoderm/base/text.h"
 
 #include <array>
-#include <cmath>
 
 namespace hexoderm {
 namespace {

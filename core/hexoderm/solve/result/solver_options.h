@@ -3,7 +3,6 @@
 #include "hexoderm/base/ids.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 

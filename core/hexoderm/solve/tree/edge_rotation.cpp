@@ -9,7 +9,6 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace hexoderm {
 namespace {
@@ -160,16 +159,7 @@ EdgeQuality classifyEdge(const Eigen::Vector3d& singular_values, double threshol
 }
 
 double paperWeight(EdgeQuality quality) {
-  switch (quality) {
-    case EdgeQuality::Undefined:
-      return 3;
-    case EdgeQuality::Partially:
-      return 2;
-    case EdgeQuality::Fully:
-    case EdgeQuality::Over:
-      break;
-  }
-  return 1;
+  return quality == EdgeQuality::Undefined ? 3 : quality == EdgeQuality::Partially ? 2 : 1;
 }
 
 EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions& options) {

@@ -6,15 +6,8 @@
 namespace hexoderm {
 
 GapShare gapShareOf(GapModel model) {
-  switch (model) {
-    case GapModel::Pivot:
-      return {0, std::nullopt};
-    case GapModel::Arc:
-      return {1, std::nullopt};
-    case GapModel::Fit:
-      break;
-  }
-  return {0.5, 0.5};
+  if (model == GapModel::Fit) return {0.5, 0.5};
+  return {model == GapModel::Arc ? 1.0 : 0.0, std::nullopt};
 }
 
 Eigen::Vector3d arcOpening_m(const Eigen::Vector3d& U_c, const Eigen::Vector3d& U_n, double e_m) {

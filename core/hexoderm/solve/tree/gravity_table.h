@@ -3,7 +3,6 @@
 #include "hexoderm/session/session.h"
 #include "hexoderm/skin/skin_graph.h"
 
-#include <span>
 #include <vector>
 
 namespace hexoderm {

@@ -3,7 +3,6 @@
 #include "hexoderm/solve/tree/edge_rotation.h"
 #include "hexoderm/solve/tree/gravity_table.h"
 
-#include <optional>
 #include <vector>
 
 namespace hexoderm {

@@ -3,7 +3,7 @@
 #include "hexoderm/base/alignment.h"
 #include "hexoderm/solve/global/global_solver.h"
 #include "hexoderm/solve/reconstructor.h"
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 #include "tests/core/solve/global/joint_case.h"
 #include "tests/support/slow_build.h"
 

@@ -1,4 +1,4 @@
-#include "hexoderm/solve/metrics/pose_advisor.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"

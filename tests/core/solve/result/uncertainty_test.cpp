@@ -1,4 +1,4 @@
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include "hexoderm/base/units.h"
 

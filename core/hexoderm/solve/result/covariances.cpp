@@ -1,7 +1,8 @@
-#include "hexoderm/solve/result/uncertainty.h"
+#include "hexoderm/solve/result/covariances.h"
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/units.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <algorithm>
 
