@@ -51,8 +51,7 @@ QWidget* makeButton(QAction* action, const char* object_name) {
   auto* row = new QWidget;
   auto* button = quiet(new ActionButton(row), object_name);
   button->setAction(action);
-  auto* key = new QLabel(row);
-  key->setProperty("muted", true);
+  auto* key = styledAs(new QLabel(row), "muted");
   const auto follow = [key, action] {
     key->setText(action->shortcut().toString(QKeySequence::NativeText));
     key->setVisible(!action->shortcut().isEmpty());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/controls/item_layout.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QAction>
 #include <QMap>
@@ -28,7 +29,6 @@ class FoldingRow : public ItemLayout {
     more_->setPopupMode(QToolButton::InstantPopup);
     more_->setMenu(menu_);
     more_->hide();
-    menu_->setObjectName(QStringLiteral("moreMenu"));
     menu_->setToolTipsVisible(true);
     connect(menu_, &QMenu::aboutToShow, this, &FoldingRow::fillMenu);
   }
@@ -137,7 +137,7 @@ class FoldingRow : public ItemLayout {
 
   QMap<QWidget*, Qt::FocusPolicy> folded_;  ///< with the policy that it has otherwise
   QToolButton* more_;
-  QMenu* menu_ = new QMenu(more_);
+  QMenu* menu_ = named(new QMenu(more_), "moreMenu");
 };
 
 }  // namespace hexoderm

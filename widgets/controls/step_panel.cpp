@@ -206,8 +206,7 @@ StepPanel::StepPanel(QWidget* parent) : QScrollArea(parent), layout_(nullptr) {
   setNames(this, QStringLiteral("stepPanel"), tr("Steps"));
   // Its steps take the focus, and are scrolled into view then.
   scrollPlainly(this);
-  auto* content = new QWidget;
-  content->setObjectName(QStringLiteral("stepContent"));
+  auto* content = named(new QWidget, "stepContent");
   layout_ = spaced(new QVBoxLayout(content), {0, 4, 0, 4}, 0);
   layout_->addStretch(1);
   // It scrolls up and down only, and is as wide as its place, whatever is in it.

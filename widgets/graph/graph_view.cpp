@@ -2,6 +2,7 @@
 
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/find_cell_field.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_coloring_button.h"
 
@@ -260,8 +261,7 @@ void GraphView::hover(const GraphHit& hit) {
 void GraphView::showMenu(const GraphHit& hit, const QPoint& global_position) {
   if (scene_->cells().empty()) return;
   if (!hit.isNothing()) pickHit(*scene_, hit, *selection_, false);
-  auto* menu = new QMenu(this);
-  menu->setObjectName(QStringLiteral("graphMenu"));
+  auto* menu = named(new QMenu(this), "graphMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setToolTipsVisible(true);
   if (hit.link) menu->addActions(link_actions_);

@@ -60,7 +60,6 @@ class CompareView : public QWidget {
     setNames(before_, QStringLiteral("compareBefore"), tr("The patch before"));
     setNames(now_, QStringLiteral("compareNow"), tr("The patch now"));
     layout->addLayout(panes, 1);
-    summary_->setObjectName(QStringLiteral("compareSummary"));
     summary_->setWordWrap(true);
     layout->addWidget(summary_);
     cameras_ = std::make_unique<CameraLink>(*before_, *now_);
@@ -114,8 +113,7 @@ class CompareView : public QWidget {
   }
 
   static QWidget* addPane(QHBoxLayout* panes, const char* name, const QString& text, PatchView* patch) {
-    auto* title = new QLabel(text);
-    title->setObjectName(QLatin1String(name));
+    auto* title = named(new QLabel(text), name);
     title->setProperty("caption", true);
     title->setTextFormat(Qt::PlainText);
     auto* pane = new QWidget;
@@ -152,7 +150,6 @@ class CompareView : public QWidget {
       now_->setShiftFactor(kFactors.at(static_cast<std::size_t>(step)));
       showFactor();
     });
-    factor_label_->setObjectName(QStringLiteral("compareFactorLabel"));
     auto* row = spaced(new QHBoxLayout(enlarged_), {8, 0, 0, 0});
     addWidgets(row, {new QLabel(tr("Arrows enlarged")), slider_, factor_label_});
     auto* head = new FlowLayout;
@@ -207,9 +204,9 @@ class CompareView : public QWidget {
   QToolButton* arrows_ = new QToolButton;
   QWidget* enlarged_ = new QWidget;
   QSlider* slider_ = new QSlider(Qt::Horizontal);
-  QLabel* factor_label_ = new QLabel;
+  QLabel* factor_label_ = named(new QLabel, "compareFactorLabel");
   QWidget* before_pane_ = nullptr;
-  QLabel* summary_ = new QLabel;
+  QLabel* summary_ = named(new QLabel, "compareSummary");
 };
 
 }  // namespace hexoderm

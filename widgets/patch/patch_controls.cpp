@@ -2,6 +2,7 @@
 
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/folding_row.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/patch/cut_bar.h"
 #include "widgets/patch/patch_words.h"
 
@@ -62,8 +63,7 @@ QToolButton* PatchControls::addButton(const QString& text, const QString& tip) {
 
 QMenu* PatchControls::addMenu(QToolButton* button, const char* name, const QString& title) {
   button->setPopupMode(QToolButton::InstantPopup);
-  auto* menu = new QMenu(title, button);
-  menu->setObjectName(QLatin1String(name));
+  auto* menu = named(new QMenu(title, button), name);
   menu->setToolTipsVisible(true);
   button->setMenu(menu);
   return menu;

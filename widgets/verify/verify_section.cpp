@@ -22,8 +22,7 @@ VerifySection::VerifySection(const QString& heading, const QString& question, co
   setNames(this, name, heading);
   auto* title = new QLabel(heading);
   makeBold(title);
-  auto* asked = new QLabel(question);
-  asked->setProperty("muted", true);
+  auto* asked = styledAs(new QLabel(question), "muted");
   asked->setWordWrap(true);
   spaced(new QVBoxLayout(rows_), {0, 0, 0, 0}, 5);
 

@@ -60,14 +60,11 @@ class ExportDialog : public QDialog {
     kinds_->addTab(tr("&Package"));
     kinds_->setExpanding(false);
     kinds_->setDrawBase(false);
-    auto* browse = new QPushButton(tr("Browse…"), this);
-    browse->setObjectName(QStringLiteral("exportBrowse"));
+    auto* browse = named(new QPushButton(tr("Browse…"), this), "exportBrowse");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     export_ = addPrimaryButton(buttons, tr("Export"), "exportButton");
     summary_->setWordWrap(true);
-    summary_->setProperty("muted", true);
     note_->setWordWrap(true);
-    note_->setObjectName(QStringLiteral("exportNote"));
     note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
 
     auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
@@ -415,7 +412,7 @@ class ExportDialog : public QDialog {
   QStackedWidget* contents_ = new QStackedWidget(this);
   QListWidget* formats_ = new QListWidget(this);
   PackageList* package_ = new PackageList(this);
-  QLabel* summary_ = new QLabel(this);
+  QLabel* summary_ = styledAs(new QLabel(this), "muted");
   QTextBrowser* preview_ = new QTextBrowser(this);
   QComboBox* container_ = new QComboBox(this);
   QLineEdit* path_ = new QLineEdit(this);
@@ -428,7 +425,7 @@ class ExportDialog : public QDialog {
   std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
   QComboBox* patch_ = new QComboBox(this);
-  QLabel* note_ = new QLabel(this);
+  QLabel* note_ = named(new QLabel(this), "exportNote");
   QPushButton* export_;
   QString extension_;
 };

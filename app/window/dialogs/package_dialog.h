@@ -29,7 +29,6 @@ class PackageDialog : public QDialog {
       : QDialog(parent), files_(files), path_(path) {
     setObjectName(QStringLiteral("packageDialog"));
     setWindowTitle(tr("Export package"));
-    sentence_->setObjectName(QStringLiteral("packageSentence"));
     setPlainParagraph(sentence_);
     sentence_->setText(tr("Writing %1 …").arg(QDir::toNativeSeparators(path)));
     progress_->setAccessibleName(tr("Progress"));
@@ -127,7 +126,7 @@ class PackageDialog : public QDialog {
   ResultFiles& files_;
   QString path_;
   bool is_running_ = true;
-  QLabel* sentence_ = new QLabel(this);
+  QLabel* sentence_ = named(new QLabel(this), "packageSentence");
   QProgressBar* progress_ = new QProgressBar(this);
   QTreeWidget* list_ = new QTreeWidget(this);
   QPushButton* cancel_;

@@ -215,9 +215,8 @@ void RecentList::rebuild() {
   const QString focused = focus && focus->hasFocus() ? focus->property("recentPath").toString() : QString();
   clearRows(*layout_);
   if (files_.files().empty()) {
-    auto* hint = new QLabel(tr("Sessions and calibrations that you open will be listed here."));
+    auto* hint = styledAs(new QLabel(tr("Sessions and calibrations that you open will be listed here.")), "muted");
     hint->setWordWrap(true);
-    hint->setProperty("muted", true);
     layout_->addWidget(hint);
   }
   const std::size_t count = std::min(most_, files_.files().size());
@@ -245,8 +244,7 @@ QList<QToolButton*> RecentList::openButtons() const {
 QWidget* RecentList::makeRow(const RecentFile& file) {
   auto* row = new QWidget;
   const bool is_there = file.problem.isEmpty();
-  auto* open = new QToolButton;
-  open->setObjectName(QStringLiteral("recentOpen"));
+  auto* open = named(new QToolButton, "recentOpen");
   open->setProperty("flat", true);
   open->setProperty("recentPath", file.path);
   open->setFocusPolicy(Qt::StrongFocus);
@@ -268,11 +266,9 @@ QWidget* RecentList::makeRow(const RecentFile& file) {
     if (is_there) emit openWanted(path);
   });
   open->installEventFilter(this);
-  auto* when = new QLabel(describeRecent(file));
-  when->setProperty("muted", true);
+  auto* when = styledAs(new QLabel(describeRecent(file)), "muted");
   when->setTextFormat(Qt::PlainText);
-  auto* remove = new QToolButton;
-  remove->setObjectName(QStringLiteral("recentRemove"));
+  auto* remove = named(new QToolButton, "recentRemove");
   remove->setProperty("flat", true);
   remove->setProperty("recentPath", file.path);
   remove->setText(QStringLiteral("\u2715"));

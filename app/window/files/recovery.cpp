@@ -191,8 +191,7 @@ void RecoveryList::rebuild() {
 }
 
 QWidget* RecoveryList::makeRow(const UnsavedSession& session) {
-  auto* row = new QFrame;
-  row->setProperty("card", true);
+  auto* row = styledAs(new QFrame, "card");
   const bool is_discarded = UnsavedSessions::isDiscarded(session);
   auto* text = new QLabel(is_discarded ? tr("Discarded; it is kept for %1 days.").arg(kDaysUntilGone)
                                        : describeUnsaved(session));

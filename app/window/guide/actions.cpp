@@ -1,6 +1,7 @@
 #include "app/window/guide/actions.h"
 
 #include "hexoderm/solve/metrics/assess.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/words/words.h"
 
 namespace hexoderm {
@@ -26,8 +27,7 @@ QString purposeOf(const QAction& action) { return action.property(kPurpose).toSt
 
 QAction* WindowActions::make(const char* name, const QString& text, const QString& purpose,
                              const QList<QKeySequence>& shortcuts) const {
-  auto* action = new QAction(text, owner_);
-  action->setObjectName(QLatin1String(name));
+  auto* action = named(new QAction(text, owner_), name);
   action->setProperty(kPurpose, purpose);
   action->setShortcuts(shortcuts);
   owner_->addAction(action);

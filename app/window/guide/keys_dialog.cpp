@@ -84,11 +84,9 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
     bringToFront(open);
     return;
   }
-  auto* dialog = new QDialog(parent);
-  dialog->setObjectName(QStringLiteral("keysDialog"));
+  auto* dialog = named(new QDialog(parent), "keysDialog");
   dialog->setWindowTitle(KeysDialog::tr("Keys"));
-  auto* search = new QLineEdit;
-  search->setObjectName(QStringLiteral("keysSearch"));
+  auto* search = named(new QLineEdit, "keysSearch");
   search->setPlaceholderText(KeysDialog::tr("Search for a key or for what it does"));
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
@@ -114,8 +112,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   }
   list->expandAll();
   list->resizeColumnToContents(0);
-  auto* nothing = new QLabel(KeysDialog::tr("No key is like that."));
-  nothing->setProperty("muted", true);
+  auto* nothing = styledAs(new QLabel(KeysDialog::tr("No key is like that.")), "muted");
   nothing->hide();
   QObject::connect(search, &QLineEdit::textChanged, dialog,
                    [list, nothing](const QString& text) { nothing->setHidden(showOnly(*list, text.trimmed())); });

@@ -58,8 +58,7 @@ class WelcomePanel : public QScrollArea {
     list->addWidget(recent_list);
     list->addStretch(1);
 
-    auto* content = new QWidget;
-    content->setObjectName(QStringLiteral("welcomeContent"));
+    auto* content = named(new QWidget, "welcomeContent");
     auto* sides = spaced(new QHBoxLayout(content), {28, 36, 28, 24});
     sides->addStretch(1);
     sides->addWidget(column, 100);

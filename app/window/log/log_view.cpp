@@ -106,11 +106,9 @@ LogView::LogView(const EventLog& log, QWidget* parent) : QWidget(parent), model_
   text_->setPlaceholderText(tr("Search"));
   text_->setClearButtonEnabled(true);
   count_->setProperty("muted", true);
-  auto* copy = new QPushButton(tr("Copy for a bug report"));
-  copy->setObjectName(QStringLiteral("logCopy"));
+  auto* copy = named(new QPushButton(tr("Copy for a bug report")), "logCopy");
   copy->setToolTip(tr("Copies versions, graphics, what is open and the last 200 lines; your home folder is left out"));
-  auto* folder = new QPushButton(tr("Open folder"));
-  folder->setObjectName(QStringLiteral("logFolder"));
+  auto* folder = named(new QPushButton(tr("Open folder")), "logFolder");
   folder->setToolTip(log.folder().isEmpty() ? tr("This log is not kept in a file") : log.filePath());
   folder->setEnabled(!log.folder().isEmpty());
   connect(copy, &QPushButton::clicked, this, &LogView::reportWanted);

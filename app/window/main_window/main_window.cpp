@@ -160,13 +160,11 @@ void MainWindow::layOut() {
 }
 
 QWidget* MainWindow::makeTopBar() {
-  auto* app_name = new QLabel(QStringLiteral("Hexoderm"));
-  app_name->setObjectName(QStringLiteral("appName"));
+  auto* app_name = named(new QLabel(QStringLiteral("Hexoderm")), "appName");
   views_->session_name->setObjectName(QStringLiteral("sessionName"));
   views_->session_name->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
-  auto* top_bar = new QFrame;
-  top_bar->setObjectName(QStringLiteral("topBar"));
+  auto* top_bar = named(new QFrame, "topBar");
   auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1}, 0);  // the line below
   addWidgets(layout, {app_name, views_->menus});
   layout->addWidget(views_->session_name, 1);
@@ -258,8 +256,7 @@ void MainWindow::scrollIfScreenIsSmall() {
   const QSize least = minimumSizeHint();
   const QSize room = roomOnScreen(*this);
   if (least.width() <= room.width() && least.height() <= room.height()) return;
-  auto* area = new QScrollArea;
-  area->setObjectName(QStringLiteral("workArea"));
+  auto* area = named(new QScrollArea, "workArea");
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
   area->setWidgetResizable(true);

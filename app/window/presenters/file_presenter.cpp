@@ -2,6 +2,7 @@
 
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/tables/table_csv.h"
 
 #include <QDesktopServices>
@@ -94,8 +95,7 @@ QString FilePresenter::suggestedName() const {
 
 void FilePresenter::askForPath(const QString& title, const QString& name, const QString& filter,
                                const QString& extension, std::function<void(QString)> chosen) {
-  auto* dialog = new FileDialog(&window, title, lastFolder(), filter);
-  dialog->setObjectName(QStringLiteral("saveDialog"));
+  auto* dialog = named(new FileDialog(&window, title, lastFolder(), filter), "saveDialog");
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix(extension.mid(1));
   dialog->selectFile(name + extension);

@@ -131,12 +131,10 @@ QWidget* Panels::makeCentre(const Views& views) {
   views.robot->hide();
   stack_layout->addWidget(views.welcome, 0, 0);
   views.welcome->raise();
-  auto* card = new QFrame;
-  card->setProperty("card", true);
+  auto* card = styledAs(new QFrame, "card");
   auto* layout = spaced(new QVBoxLayout(card), {1, 1, 1, 1});
   layout->addWidget(stack);
-  auto* checks_card = new QFrame;
-  checks_card->setProperty("card", true);
+  auto* checks_card = styledAs(new QFrame, "card");
   checks_ = new QScrollArea;
   checks_->setObjectName(QStringLiteral("checksArea"));
   scrollPlainly(checks_);
@@ -207,8 +205,7 @@ TableOrHint* Panels::makeTable(QTableView* view, const QString& hint) {
 
 /// The table, and beside it the card of the finding that is picked in it. The step Review has that card, too.
 QWidget* Panels::makeFindings(const Views& views) {
-  auto* room = new QScrollArea;
-  room->setObjectName(QStringLiteral("findingsCard"));
+  auto* room = named(new QScrollArea, "findingsCard");
   scrollPlainly(room);
   auto* content = new QWidget;
   auto* column = spaced(new QVBoxLayout(content), {0, 0, 8, 8});
