@@ -95,11 +95,18 @@ Button* quiet(Button* button, const char* name) {
 }
 
 /// Makes a timer that, once started, does this once.
-template <class Work>
-void setUpOnce(QTimer& timer, int after_ms, QObject* receiver, Work work) {
+template <class Receiver, class Work>
+void setUpOnce(QTimer& timer, int after_ms, Receiver* receiver, Work work) {
   timer.setSingleShot(true);
   timer.setInterval(after_ms);
   QObject::connect(&timer, &QTimer::timeout, receiver, work);
+}
+
+/// It lies over a view, and whoever points at it points at that.
+inline void letThrough(QWidget* overlay) {
+  overlay->setAttribute(Qt::WA_TransparentForMouseEvents);
+  overlay->setAttribute(Qt::WA_NoSystemBackground);
+  overlay->setFocusPolicy(Qt::NoFocus);
 }
 
 /// Grey, and then it says why.

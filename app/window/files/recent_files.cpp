@@ -68,9 +68,7 @@ QString describeRecent(const RecentFile& file) {
 
 RecentFiles::RecentFiles(JobQueue& jobs, QObject* parent) : QObject(parent), jobs_(jobs) {
   constexpr int kSoon_ms = 1500;
-  write_soon_.setSingleShot(true);
-  write_soon_.setInterval(kSoon_ms);
-  connect(&write_soon_, &QTimer::timeout, this, &RecentFiles::write);
+  setUpOnce(write_soon_, kSoon_ms, this, &RecentFiles::write);
   QSettings settings;
   const int count = settings.beginReadArray(kSetting);
   for (int k = 0; k < count && files_.size() < kMax; ++k) {

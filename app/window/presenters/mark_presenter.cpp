@@ -1,6 +1,7 @@
 #include "app/window/presenters/presenters.h"
 
 #include "app/window/guide/guide.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/view_mark.h"
 #include "widgets/words/formatting.h"
 
@@ -20,10 +21,8 @@ class MarkPresenter : public Presenter {
   explicit MarkPresenter(const WindowParts& parts) : Presenter(parts) {
     constexpr int kPatience_ms = 700;
     constexpr int kTick_ms = 500;
-    patience_.setSingleShot(true);
-    patience_.setInterval(kPatience_ms);
     tick_.setInterval(kTick_ms);
-    connect(&patience_, &QTimer::timeout, this, [this] {
+    setUpOnce(patience_, kPatience_ms, this, [this] {
       is_long_ = true;
       tick_.start();
       refresh();
