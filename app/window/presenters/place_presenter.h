@@ -26,7 +26,7 @@ class PlacePresenter : public Presenter {
 
   /// The session was solved anew.
   void setReconstruction(std::shared_ptr<const Reconstruction> reconstruction);
-  void refresh() override;
+  void refresh();
   /// A URDF or a table of joint angles that was dropped onto the window; false: it is neither, or nothing can be
   /// placed.
   bool takeFile(const QString& path);

@@ -1,13 +1,13 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/presenters/review_presenter.h"
 
 #include <QTableView>
 #include <optional>
 
 namespace hexoderm {
-namespace {
 
 /// Carries out the commands that change the pose, the link or the cell that is picked, or the pose that the assessment
 /// picks.
@@ -36,7 +36,7 @@ class PickedCommands : public Presenter {
   }
 
   /// Tells the actions of the window which of them can be used with what is picked.
-  void refresh() override {
+  void refresh() {
     actions.refresh(controller, review_.pickedPoseRow(), selection.cell());
     actions.refreshLink(controller, selection.link());
     // An offer to call off a recapture that is done, or called off elsewhere.
@@ -84,11 +84,5 @@ class PickedCommands : public Presenter {
   const ReviewPresenter& review_;
   QString recapture_offer_;  ///< the message that offers to call the recapture off
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makePickedCommands(const WindowParts& parts, const ReviewPresenter& review) {
-  return std::make_unique<PickedCommands>(parts, review);
-}
 
 }  // namespace hexoderm
