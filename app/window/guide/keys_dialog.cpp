@@ -16,6 +16,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 namespace hexoderm {
 namespace {
@@ -97,17 +98,22 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   list->setHeaderHidden(true);
   list->setRootIsDecorated(false);
   list->setItemsExpandable(false);
-  list->setWordWrap(true);
   list->setFrameShape(QFrame::NoFrame);
   list->setSelectionMode(QAbstractItemView::NoSelection);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QFont bold = dialog->font();
   bold.setWeight(QFont::DemiBold);
   int rows = 0;
+  int widest = 0;
   for (const KeyGroup& group : keysOf(menus)) {
     auto* head = new QTreeWidgetItem(list, {group.title.toUpper()});
     head->setFirstColumnSpanned(true);
-    for (const KeyLine& line : group.lines) (new QTreeWidgetItem(head, {line.keys, line.what}))->setFont(0, bold);
+    for (const KeyLine& line : group.lines) {
+      auto* item = new QTreeWidgetItem(head, {line.keys, line.what});
+      item->setFont(0, bold);
+      item->setToolTip(1, line.what);  // where the screen is too narrow for it
+      widest = std::max(widest, dialog->fontMetrics().horizontalAdvance(line.what));
+    }
     rows += 1 + head->childCount();
   }
   list->expandAll();
@@ -122,7 +128,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   addWidgets(layout, {search, nothing});
   layout->addWidget(list, 1);
   layout->addWidget(buttons);
-  const int width = list->columnWidth(0) + 44 * dialog->fontMetrics().averageCharWidth() + 80;
+  const int width = list->columnWidth(0) + widest + 100;
   const int height = (rows + 6) * (dialog->fontMetrics().height() + 6);
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
   search->setFocus();
