@@ -57,20 +57,28 @@ class ResidualMatrixDelegate : public QStyledItemDelegate {
   }
 };
 
+/// The colours of the matrix, painted as finely as the screen that they are on shows them.
+class ColorBar : public QWidget {
+ public:
+  [[nodiscard]] QSize sizeHint() const override { return {96, fontMetrics().height() / 2}; }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    QPainter painter(this);
+    const double pixel = 1 / devicePixelRatioF();
+    for (double x = 0; x < width(); x += pixel) {
+      painter.fillRect(QRectF(x, 0, pixel, height()), viridis(x / (width() - pixel)));
+    }
+  }
+};
+
 /// The colours with what they mean.
 QWidget* makeLegend() {
-  constexpr int kBar = 96;
   auto* legend = new QWidget;
   legend->setAccessibleName(ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(scaleEnd_deg()));
   legend->setToolTip(legend->accessibleName());
-  QPixmap colors(kBar, legend->fontMetrics().height() / 2);
-  QPainter painter(&colors);
-  for (int x = 0; x < kBar; ++x) {
-    painter.fillRect(QRect(x, 0, 1, colors.height()), viridis(static_cast<double>(x) / (kBar - 1)));
-  }
-  painter.end();
-  auto* bar = new QLabel;
-  bar->setPixmap(colors);
+  auto* bar = new ColorBar;
+  bar->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   auto* left = new QLabel(ResidualView::tr("Residual 0°"));
   auto* right = new QLabel(ResidualView::tr("≥ %1°").arg(scaleEnd_deg()));
   for (QLabel* label : {left, right}) label->setProperty("muted", true);
