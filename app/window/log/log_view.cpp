@@ -8,7 +8,6 @@
 #include <QDateTime>
 #include <QEvent>
 #include <QHeaderView>
-#include <QLocale>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QVBoxLayout>
@@ -24,7 +23,22 @@ QString severitySign(Severity severity) {
 
 }  // namespace
 
-LogModel::LogModel(const EventLog& log, QObject* parent) : QAbstractTableModel(parent), log_(log) {
+LogModel::LogModel(const EventLog& log, QObject* parent) : ColumnTable(parent), log_(log) {
+  const auto column = [this](const QString& name, QString (*text)(const LogLine&)) {
+    return Column{.name = name, .is_text = true, .value = [this, text](int row) { return text(lineAt(row)); }};
+  };
+  Column what = column(
+      tr("What"), [](const LogLine& line) { return QString(line.text).replace(QLatin1Char('\n'), QLatin1Char(' ')); });
+  what.tool_tip = [this](int row) { return lineAt(row).text; };
+  setColumns({column(tr("Time"),
+                     [](const LogLine& line) {
+                       return QDateTime::fromMSecsSinceEpoch(line.at_ms).toString(QStringLiteral("HH:mm:ss"));
+                     }),
+              column(tr("Severity"),
+                     [](const LogLine& line) {
+                       return QStringLiteral("%1 %2").arg(severitySign(line.severity), severityWord(line.severity));
+                     }),
+              what});
   connect(&log, &EventLog::grown, this, &LogModel::takeNew);
   takeNew();
 }
@@ -63,37 +77,6 @@ void LogModel::takeNew() {
     shown_.erase(shown_.begin(), shown_.begin() + static_cast<std::ptrdiff_t>(surplus));
     endRemoveRows();
   }
-}
-
-int LogModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(shown_.size());
-}
-
-int LogModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumnCount; }
-
-QVariant LogModel::data(const QModelIndex& index, int role) const {
-  if (!index.isValid()) return {};
-  const LogLine& line = lineAt(index.row());
-  if (role == Qt::ToolTipRole && index.column() == kText) return line.text;
-  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter);
-  if (role != Qt::DisplayRole) return {};
-  switch (index.column()) {
-    case kTime:
-      return QDateTime::fromMSecsSinceEpoch(line.at_ms).toString(QStringLiteral("HH:mm:ss"));
-    case kSeverity:
-      return QStringLiteral("%1 %2").arg(severitySign(line.severity), severityWord(line.severity));
-    case kText:
-      return QString(line.text).replace(QLatin1Char('\n'), QLatin1Char(' '));
-    default:
-      return {};
-  }
-}
-
-QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
-    return role == Qt::TextAlignmentRole ? QVariant(static_cast<int>(Qt::AlignLeft | Qt::AlignVCenter)) : QVariant();
-  }
-  return QStringList{tr("Time"), tr("Severity"), tr("What")}.value(section);
 }
 
 LogView::LogView(const EventLog& log, QWidget* parent) : QWidget(parent), model_(new LogModel(log, this)) {
@@ -159,8 +142,8 @@ void LogView::fitColumns() {
         std::max(severity, metrics.horizontalAdvance(severitySign(each) + QLatin1Char(' ') + severityWord(each)));
   }
   const int margin = 3 * metrics.averageCharWidth() + 12;
-  table_->setColumnWidth(LogModel::kTime, metrics.horizontalAdvance(QStringLiteral("00:00:00")) + margin);
-  table_->setColumnWidth(LogModel::kSeverity, severity + margin);
+  table_->setColumnWidth(0, metrics.horizontalAdvance(QStringLiteral("00:00:00")) + margin);
+  table_->setColumnWidth(1, severity + margin);
 }
 
 void LogView::changeEvent(QEvent* event) {

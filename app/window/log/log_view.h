@@ -3,8 +3,8 @@
 #include "hexoderm/base/finding.h"
 
 #include "app/window/log/event_log.h"
+#include "widgets/tables/column_table.h"
 
-#include <QAbstractTableModel>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -15,22 +15,18 @@
 namespace hexoderm {
 
 /// The lines of a log that are at least so severe and hold a text; follows the log.
-class LogModel : public QAbstractTableModel {
+class LogModel : public ColumnTable {
   Q_OBJECT
 
  public:
-  enum Column { kTime, kSeverity, kText, kColumnCount };
-
   /// `log` must outlive the model.
   explicit LogModel(const EventLog& log, QObject* parent = nullptr);
 
   void setFilter(Severity at_least, const QString& text);
   [[nodiscard]] const LogLine& lineAt(int row) const { return shown_[static_cast<std::size_t>(row)]; }
 
-  [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
-  [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-  [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+ protected:
+  [[nodiscard]] int rows() const override { return static_cast<int>(shown_.size()); }
 
  private:
   void takeNew();
