@@ -45,6 +45,13 @@ Object* named(Object* object, const char* name) {
   return object;
 }
 
+/// The same, with what a screen reader says.
+template <class Widget>
+Widget* named(Widget* widget, const char* name, const QString& accessible_name) {
+  widget->setAccessibleName(accessible_name);
+  return named(widget, name);
+}
+
 /// Sets a property that the style sheet asks for: "muted", "caption", "card" ...
 template <class Widget>
 Widget* styledAs(Widget* widget, const char* look) {

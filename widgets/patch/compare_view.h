@@ -125,7 +125,6 @@ class CompareView : public QWidget {
   }
 
   void buildHead(QVBoxLayout* layout) {
-    setNames(source_, QStringLiteral("compareSource"), tr("What the result of now is compared with"));
     source_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     connect(source_, qOverload<int>(&QComboBox::activated), this, &CompareView::sourceChosen);
     auto* modes = new QButtonGroup(this);
@@ -142,7 +141,6 @@ class CompareView : public QWidget {
     add(arrows_, "compareArrows", tr("Arrows"), tr("The result of now, with an arrow from where each cell was"),
         Mode::Arrows);
     side_by_side_->setChecked(true);
-    setNames(slider_, QStringLiteral("compareFactor"), tr("Enlargement of the arrows"));
     slider_->setRange(0, static_cast<int>(kFactors.size()) - 1);
     slider_->setPageStep(3);
     slider_->setMinimumWidth(24 * fontMetrics().averageCharWidth());
@@ -199,11 +197,11 @@ class CompareView : public QWidget {
   std::unique_ptr<CameraLink> cameras_;
   Content content_;
   Mode mode_ = Mode::SideBySide;
-  QComboBox* source_ = new QComboBox;
+  QComboBox* source_ = named(new QComboBox, "compareSource", tr("What the result of now is compared with"));
   QToolButton* side_by_side_ = new QToolButton;
   QToolButton* arrows_ = new QToolButton;
   QWidget* enlarged_ = new QWidget;
-  QSlider* slider_ = new QSlider(Qt::Horizontal);
+  QSlider* slider_ = named(new QSlider(Qt::Horizontal), "compareFactor", tr("Enlargement of the arrows"));
   QLabel* factor_label_ = named(new QLabel, "compareFactorLabel");
   QWidget* before_pane_ = nullptr;
   QLabel* summary_ = named(new QLabel, "compareSummary");

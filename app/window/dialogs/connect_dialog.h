@@ -40,9 +40,7 @@ class ConnectDialog : public QDialog {
     setWindowTitle(tr("Connect to a skin"));
     setModal(true);
     auto* title = styledAs(new QLabel(tr("Where is the skin?"), this), "headline");
-    setNames(kind_, QStringLiteral("connectKind"), tr("Kind of connection"));
     for (const Kind& kind : kKinds) kind_->addItem(tr(kind.name));
-    setNames(address_, QStringLiteral("connectAddress"), tr("Address"));
     address_->setEditable(true);
     constexpr int kLongestPath = 4096;
     address_->lineEdit()->setMaxLength(kLongestPath);
@@ -52,7 +50,6 @@ class ConnectDialog : public QDialog {
     continue_->setText(tr("Add the poses to the session that is open, %1").arg(open_session));
     continue_->setChecked(!open_session.isEmpty());
     continue_->setVisible(!open_session.isEmpty());
-    setNames(path_, QStringLiteral("connectPath"), tr("File that the poses are kept in"));
     path_->setText(newSessionPath(folder));
     note_->setWordWrap(true);
     note_->setMinimumHeight(3 * fontMetrics().lineSpacing());
@@ -261,12 +258,12 @@ class ConnectDialog : public QDialog {
     return {};
   }
 
-  QComboBox* kind_ = new QComboBox(this);
-  QComboBox* address_ = new QComboBox(this);
+  QComboBox* kind_ = named(new QComboBox(this), "connectKind", tr("Kind of connection"));
+  QComboBox* address_ = named(new QComboBox(this), "connectAddress", tr("Address"));
   QPushButton* browse_recording_ = new QPushButton(tr("Browse…"), this);
   QLabel* hint_ = styledAs(new QLabel(this), "muted");
   QCheckBox* continue_ = named(new QCheckBox(this), "connectContinue");
-  QLineEdit* path_ = new QLineEdit(this);
+  QLineEdit* path_ = named(new QLineEdit(this), "connectPath", tr("File that the poses are kept in"));
   QPushButton* browse_path_ = new QPushButton(tr("Browse…"), this);
   QLabel* note_ = named(new QLabel(this), "connectNote");
   QPushButton* connect_;

@@ -54,8 +54,6 @@ class ExportDialog : public QDialog {
     }
     setWindowTitle(tr("Export the calibration"));
     setModal(true);
-
-    setNames(kinds_, QStringLiteral("exportKinds"), tr("One file or several"));
     kinds_->addTab(tr("One &file"));
     kinds_->addTab(tr("&Package"));
     kinds_->setExpanding(false);
@@ -73,7 +71,6 @@ class ExportDialog : public QDialog {
     addWidgets(lists_, {makeFormatList(), package_});
     lists_->setFixedWidth(kListWidth);
     summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    setNames(preview_, QStringLiteral("packagePreview"), tr("What each file will hold"));
     addWidgets(contents_, {summary_, preview_});
     layout->addWidget(kinds_, 0, 0, 1, 3);
     layout->addWidget(lists_, 1, 0, 2, 1);
@@ -81,7 +78,6 @@ class ExportDialog : public QDialog {
     auto* choices = new QVBoxLayout;
     addWidgets(choices, {makePatchRow(), makeOptions()});
     layout->addLayout(choices, 2, 1, 1, 2);
-    setNames(container_, QStringLiteral("exportContainer"), tr("Folder or archive"));
     container_->addItems({tr("Folder"), tr("Zip archive")});
     auto* where = new QHBoxLayout;
     where->addStretch(1);
@@ -95,8 +91,6 @@ class ExportDialog : public QDialog {
     layout->setColumnStretch(1, 1);
     layout->setRowStretch(1, 1);
     resize(780, 520);
-
-    setNames(path_, QStringLiteral("exportPath"), tr("File to write"));
     path_->setText(suggestion + kCalibrationExtension);
     extension_ = kCalibrationExtension;
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
@@ -170,7 +164,6 @@ class ExportDialog : public QDialog {
   }
 
   QWidget* makeFormatList() {
-    setNames(formats_, QStringLiteral("exportFormats"), tr("Format"));
     formats_->addItem(tr("Calibration"));
     for (const ExportFormatDescription& format : exportFormats()) formats_->addItem(toQString(format.name).toUpper());
     return formats_;
@@ -243,7 +236,6 @@ class ExportDialog : public QDialog {
   }
 
   QWidget* makePatchRow() {
-    setNames(patch_, QStringLiteral("exportPatch"), tr("Patch"));
     patch_->setToolTip(tr("How the patches lie to each other is not known, so that a file with one frame holds one"));
     patch_row_ = new QWidget;
     auto* form = spaced(new QFormLayout(patch_row_), {0, 0, 0, 0});
@@ -407,15 +399,15 @@ class ExportDialog : public QDialog {
   }
 
   std::shared_ptr<const Reconstruction> reconstruction_;
-  QTabBar* kinds_ = new QTabBar(this);
+  QTabBar* kinds_ = named(new QTabBar(this), "exportKinds", tr("One file or several"));
   QStackedWidget* lists_ = new QStackedWidget(this);
   QStackedWidget* contents_ = new QStackedWidget(this);
-  QListWidget* formats_ = new QListWidget(this);
+  QListWidget* formats_ = named(new QListWidget(this), "exportFormats", tr("Format"));
   PackageList* package_ = new PackageList(this);
   QLabel* summary_ = styledAs(new QLabel(this), "muted");
-  QTextBrowser* preview_ = new QTextBrowser(this);
-  QComboBox* container_ = new QComboBox(this);
-  QLineEdit* path_ = new QLineEdit(this);
+  QTextBrowser* preview_ = named(new QTextBrowser(this), "packagePreview", tr("What each file will hold"));
+  QComboBox* container_ = named(new QComboBox(this), "exportContainer", tr("Folder or archive"));
+  QLineEdit* path_ = named(new QLineEdit(this), "exportPath", tr("File to write"));
   ExportOptions options_;
   /// The row of each of exportOptions().
   struct OptionRow {
@@ -424,7 +416,7 @@ class ExportDialog : public QDialog {
   };
   std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
-  QComboBox* patch_ = new QComboBox(this);
+  QComboBox* patch_ = named(new QComboBox(this), "exportPatch", tr("Patch"));
   QLabel* note_ = named(new QLabel(this), "exportNote");
   QPushButton* export_;
   QString extension_;

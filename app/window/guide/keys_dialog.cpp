@@ -92,8 +92,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
-  auto* list = new QTreeWidget(dialog);
-  setNames(list, QStringLiteral("keysList"), KeysDialog::tr("Keys"));
+  auto* list = named(new QTreeWidget(dialog), "keysList", KeysDialog::tr("Keys"));
   list->setColumnCount(2);
   list->setHeaderHidden(true);
   list->setRootIsDecorated(false);

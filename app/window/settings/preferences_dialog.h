@@ -46,8 +46,7 @@ class PreferencesDialog : public QDialog {
       : QDialog(parent), preferences_(preferences) {
     setObjectName(QStringLiteral("preferencesDialog"));
     setWindowTitle(tr("Preferences"));
-    auto* tabs = new QTabWidget(this);
-    setNames(tabs, QStringLiteral("preferencesTabs"), tr("Groups of preferences"));
+    auto* tabs = named(new QTabWidget(this), "preferencesTabs", tr("Groups of preferences"));
     tabs->tabBar()->setAccessibleName(tr("Groups of preferences"));
     fillAppearance(addPage(tabs, tr("Appearance")));
     fillCapture(addPage(tabs, tr("Capture")));
