@@ -17,6 +17,45 @@ constexpr double kMaxBarWidth = 16.0;
 constexpr int kMaxRows = 3;
 constexpr std::size_t kMaxClasses = 8;
 
+enum class Sample { Line, Fill, Muted, Tree, Origin };
+
+/// The colour of the stroke is also that of a fill.
+void drawSample(QPainter& painter, Sample sample, const LinkStroke& stroke, const Colors& colors, const QRectF& box) {
+  const double y = box.center().y();
+  const double thick = std::max(2.0, 0.16 * box.height());
+  const QLineF line(box.left(), y, box.right(), y);
+  switch (sample) {
+    case Sample::Line: {
+      // The strokes of both directions, like those of links.
+      const double aside = 0.22 * box.height();
+      drawStroke(painter, stroke, line.translated(0, -aside), 0.8 * thick);
+      drawStroke(painter, stroke, line.translated(0, aside), 0.8 * thick);
+      return;
+    }
+    case Sample::Fill:
+      if (stroke.color.alpha() == 0) return;
+      painter.setPen(QPen(colors.text_muted, 1));
+      painter.setBrush(stroke.color);
+      painter.drawRect(box.adjusted(0.2 * box.width(), 0.2 * box.height(), -0.2 * box.width(), -0.2 * box.height()));
+      return;
+    case Sample::Muted: {
+      drawStroke(painter, stroke, line, 0.7 * thick);
+      const double arm = 0.26 * box.height();
+      painter.setPen(QPen(colors.text_muted, 0.6 * thick, Qt::SolidLine, Qt::RoundCap));
+      painter.drawLine(box.center() - QPointF(arm, arm), box.center() + QPointF(arm, arm));
+      painter.drawLine(box.center() - QPointF(arm, -arm), box.center() + QPointF(arm, -arm));
+      return;
+    }
+    case Sample::Tree:
+      drawStroke(painter, {stroke.color}, line, 3 * thick);
+      return;
+    case Sample::Origin:
+      painter.setPen(stroke.color);
+      painter.drawText(box, Qt::AlignCenter, QStringLiteral("★"));
+      return;
+  }
+}
+
 }  // namespace
 
 GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme theme, const QFont& font)
@@ -27,28 +66,31 @@ GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme
     title_ = graphTitle(paint.coloring);
     note_ = paint.scale->is_fixed ? tr("range fixed") : QString();
   }
+  const double height = rowHeight();
+  const auto add = [&](Sample sample, const LinkStroke& stroke, const QString& word) {
+    const double width = (kSampleWidth + kEntrySpace) * height + QFontMetricsF(font_).horizontalAdvance(word) + 1;
+    entries_.push_back({word,
+                        [sample, stroke, height, &colors = colors_](QPainter& painter, double x, double y) {
+                          drawSample(painter, sample, stroke, colors,
+                                     QRectF(x, y - 0.5 * height, kSampleWidth * height, height));
+                        },
+                        width});
+  };
   const bool of_cells = !coloringRow(paint.coloring).colors_links;
+  const Sample of_class = of_cells ? Sample::Fill : Sample::Line;
   for (std::size_t k = 0; k < std::min(paint.words.size(), kMaxClasses); ++k) {
-    entries_.push_back({of_cells ? Sample::Fill : Sample::Line,
-                        of_cells ? LinkStroke{paint.fills[k]} : paint.strokes[k], paint.words[k]});
+    add(of_class, of_cells ? LinkStroke{paint.fills[k]} : paint.strokes[k], paint.words[k]);
   }
   if (paint.words.size() > kMaxClasses || (of_cells && !scale_ && paint.words.empty() && !paint.fills.empty())) {
-    entries_.push_back({Sample::Fill, {Qt::transparent}, tr("and so on")});
+    add(Sample::Fill, {Qt::transparent}, tr("and so on"));
   }
-  if (paint.has_unknown) {
-    entries_.push_back(
-        {of_cells ? Sample::Fill : Sample::Line, {of_cells ? colors_.cell_fill : colors_.muted_link}, notKnownWord()});
-  }
-  if (marks.muted) entries_.push_back({Sample::Muted, {colors_.muted_link}, tr("not used")});
-  if (marks.tree) entries_.push_back({Sample::Tree, {colors_.tree_band}, tr("shortest paths")});
-  entries_.push_back({Sample::Origin, {colors_.text}, tr("origin")});
+  if (paint.has_unknown) add(of_class, {of_cells ? colors_.cell_fill : colors_.muted_link}, notKnownWord());
+  if (marks.muted) add(Sample::Muted, {colors_.muted_link}, tr("not used"));
+  if (marks.tree) add(Sample::Tree, {colors_.tree_band}, tr("shortest paths"));
+  add(Sample::Origin, {colors_.text}, tr("origin"));
 }
 
 double GraphLegend::rowHeight() const { return std::ceil(QFontMetricsF(font_).height() + 2); }
-
-double GraphLegend::widthOf(const Entry& entry) const {
-  return (kSampleWidth + kEntrySpace) * rowHeight() + QFontMetricsF(font_).horizontalAdvance(entry.word) + 1;
-}
 
 double GraphLegend::titleWidth() const {
   const QFontMetricsF metrics(font_);
@@ -57,38 +99,25 @@ double GraphLegend::titleWidth() const {
 
 double GraphLegend::scaleHeight() const { return scale_ ? std::max(scale_->height(), 2 * rowHeight()) + 2 : 0.0; }
 
-GraphLegend::Arrangement GraphLegend::arrange(double room) const {
-  const auto count = static_cast<int>(entries_.size());
+LegendRows GraphLegend::rowsIn(double room) const {
   const double between = kBetween * rowHeight();
   if (scale_ && titleWidth() + between + kMinBarWidth * rowHeight() > room) return {};
-  double total = -between;
-  double column = 0;
-  for (const Entry& entry : entries_) {
-    total += widthOf(entry) + between;
-    column = std::max(column, widthOf(entry) + between);
-  }
-  if (total <= room) return {1, count, 0, total};
-  for (int rows = 2; rows <= kMaxRows; ++rows) {
-    const int columns = (count + rows - 1) / rows;
-    if (columns * column - between <= room) return {rows, columns, column, columns * column - between};
-  }
-  return {};
+  const LegendRows rows(entries_, room, between);
+  return rows.count() <= kMaxRows && rows.width() <= room ? rows : LegendRows();
 }
 
 double GraphLegend::heightFor(double width) const {
-  const Arrangement arrangement = arrange(width);
-  return arrangement.rows == 0 ? 0.0 : arrangement.rows * rowHeight() + scaleHeight();
+  const int rows = rowsIn(width).count();
+  return rows == 0 ? 0.0 : rows * rowHeight() + scaleHeight();
 }
 
 void GraphLegend::draw(QPainter& painter, const QRectF& area) const {
   painter.setFont(font_);
   painter.setRenderHint(QPainter::Antialiasing);
-  QRectF rest = area;
-  if (scale_) {
-    drawScale(painter, QRectF(area.topLeft(), QSizeF(area.width(), scaleHeight())));
-    rest.setTop(area.top() + scaleHeight());
-  }
-  drawEntries(painter, rest);
+  if (scale_) drawScale(painter, QRectF(area.topLeft(), QSizeF(area.width(), scaleHeight())));
+  rowsIn(area.width())
+      .paint(painter, {area.center().x(), area.top() + scaleHeight()}, rowHeight(),
+             (kSampleWidth + kEntrySpace) * rowHeight(), colors_.text);
 }
 
 void GraphLegend::drawScale(QPainter& painter, const QRectF& area) const {
@@ -104,60 +133,6 @@ void GraphLegend::drawScale(QPainter& painter, const QRectF& area) const {
   painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, title_);
   painter.setPen(colors_.text_muted);
   painter.drawText(words.translated(0, rowHeight()), Qt::AlignLeft | Qt::AlignVCenter, note_);
-}
-
-void GraphLegend::drawEntries(QPainter& painter, const QRectF& area) const {
-  const Arrangement arrangement = arrange(area.width());
-  if (arrangement.rows == 0) return;
-  const double left = area.left() + 0.5 * (area.width() - arrangement.width);
-  double x = left;
-  for (std::size_t k = 0; k < entries_.size(); ++k) {
-    const int row = static_cast<int>(k) / arrangement.columns;
-    const int column = static_cast<int>(k) % arrangement.columns;
-    if (arrangement.column_width > 0) x = left + column * arrangement.column_width;
-    const QRectF box(x, area.top() + row * rowHeight(), widthOf(entries_[k]), rowHeight());
-    drawSample(painter, entries_[k], QRectF(box.topLeft(), QSizeF(kSampleWidth * rowHeight(), rowHeight())));
-    painter.setPen(colors_.text);
-    painter.drawText(box.adjusted((kSampleWidth + kEntrySpace) * rowHeight(), 0, 1, 0),
-                     Qt::AlignLeft | Qt::AlignVCenter, entries_[k].word);
-    x = box.right() + kBetween * rowHeight();
-  }
-}
-
-void GraphLegend::drawSample(QPainter& painter, const Entry& entry, const QRectF& box) const {
-  const double y = box.center().y();
-  const double thick = std::max(2.0, 0.16 * box.height());
-  const QLineF line(box.left(), y, box.right(), y);
-  switch (entry.sample) {
-    case Sample::Line: {
-      // The strokes of both directions, like those of links.
-      const double aside = 0.22 * box.height();
-      drawStroke(painter, entry.stroke, line.translated(0, -aside), 0.8 * thick);
-      drawStroke(painter, entry.stroke, line.translated(0, aside), 0.8 * thick);
-      return;
-    }
-    case Sample::Fill:
-      if (entry.stroke.color.alpha() == 0) return;
-      painter.setPen(QPen(colors_.text_muted, 1));
-      painter.setBrush(entry.stroke.color);
-      painter.drawRect(box.adjusted(0.2 * box.width(), 0.2 * box.height(), -0.2 * box.width(), -0.2 * box.height()));
-      return;
-    case Sample::Muted: {
-      drawStroke(painter, entry.stroke, line, 0.7 * thick);
-      const double arm = 0.26 * box.height();
-      painter.setPen(QPen(colors_.text_muted, 0.6 * thick, Qt::SolidLine, Qt::RoundCap));
-      painter.drawLine(box.center() - QPointF(arm, arm), box.center() + QPointF(arm, arm));
-      painter.drawLine(box.center() - QPointF(arm, -arm), box.center() + QPointF(arm, -arm));
-      return;
-    }
-    case Sample::Tree:
-      drawStroke(painter, {entry.stroke.color}, line, 3 * thick);
-      return;
-    case Sample::Origin:
-      painter.setPen(entry.stroke.color);
-      painter.drawText(box, Qt::AlignCenter, QStringLiteral("★"));
-      return;
-  }
 }
 
 }  // namespace hexoderm

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/coloring/legend_rows.h"
 #include "widgets/coloring/scale_strip.h"
 #include "widgets/graph/graph_paint.h"
 
@@ -32,33 +33,17 @@ class GraphLegend {
   void draw(QPainter& painter, const QRectF& area) const;
 
  private:
-  enum class Sample { Line, Fill, Muted, Tree, Origin };
-  struct Entry {
-    Sample sample = Sample::Line;
-    LinkStroke stroke;  ///< its colour is also that of a fill
-    QString word;
-  };
-  /// The arrangement of the entries; no rows if they don't fit.
-  struct Arrangement {
-    int rows = 0;
-    int columns = 0;
-    double column_width = 0;  ///< 0: one row, each entry as wide as it is
-    double width = 0;
-  };
-
-  [[nodiscard]] Arrangement arrange(double room) const;
-  [[nodiscard]] double widthOf(const Entry& entry) const;
+  /// None if they don't fit.
+  [[nodiscard]] LegendRows rowsIn(double room) const;
   [[nodiscard]] double rowHeight() const;
   [[nodiscard]] double titleWidth() const;
   [[nodiscard]] double scaleHeight() const;
-  void drawSample(QPainter& painter, const Entry& entry, const QRectF& box) const;
   void drawScale(QPainter& painter, const QRectF& area) const;
-  void drawEntries(QPainter& painter, const QRectF& area) const;
 
   std::optional<ScaleStrip> scale_;
   QString title_;
   QString note_;
-  std::vector<Entry> entries_;
+  std::vector<LegendRows::Entry> entries_;
   const Colors& colors_;
   QFont font_;
 };
