@@ -1,7 +1,6 @@
 #include "app/cli/export_robot.h"
 
 #include <algorithm>
-#include <set>
 #include <string_view>
 
 namespace hexoderm::cli {

@@ -7,7 +7,6 @@
 #include <QTimer>
 #include <QWidget>
 #include <optional>
-#include <vector>
 
 class QAction;
 class QBoxLayout;

@@ -9,7 +9,6 @@
 #include <QToolButton>
 #include <QWidget>
 #include <algorithm>
-#include <optional>
 
 namespace hexoderm {
 

@@ -24,7 +24,6 @@
 #include <QWidget>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <initializer_list>
 #include <memory>
 #include <optional>

@@ -14,7 +14,6 @@
 
 #include <QElapsedTimer>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QObject>
 #include <QPoint>
@@ -22,7 +21,6 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>

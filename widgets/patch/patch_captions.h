@@ -5,7 +5,6 @@
 #include "widgets/scene/scene_ghost.h"
 #include "widgets/style/palette.h"
 
-#include <QImage>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStringList>

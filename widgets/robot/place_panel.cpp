@@ -23,7 +23,6 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <initializer_list>
 #include <limits>
 
 namespace hexoderm {

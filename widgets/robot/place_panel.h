@@ -8,7 +8,6 @@
 #include <QStringList>
 #include <QWidget>
 #include <array>
-#include <optional>
 #include <vector>
 
 class QCheckBox;

@@ -9,7 +9,6 @@
 #include <vtkSmartPointer.h>
 #include <initializer_list>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace hexoderm {

@@ -8,7 +8,6 @@
 #include <QToolButton>
 #include <QWidget>
 #include <memory>
-#include <optional>
 
 namespace hexoderm {
 
