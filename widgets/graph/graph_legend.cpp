@@ -17,7 +17,7 @@ constexpr double kMaxBarWidth = 16.0;
 constexpr int kMaxRows = 3;
 constexpr std::size_t kMaxClasses = 8;
 
-enum class Sample { Line, Fill, Muted, Tree, Origin };
+enum class Sample { Line, Fill, Excluded, Tree, Origin };
 
 /// The colour of the stroke is also that of a fill.
 void drawSample(QPainter& painter, Sample sample, const LinkStroke& stroke, const Colors& colors, const QRectF& box) {
@@ -38,7 +38,7 @@ void drawSample(QPainter& painter, Sample sample, const LinkStroke& stroke, cons
       painter.setBrush(stroke.color);
       painter.drawRect(box.adjusted(0.2 * box.width(), 0.2 * box.height(), -0.2 * box.width(), -0.2 * box.height()));
       return;
-    case Sample::Muted: {
+    case Sample::Excluded: {
       drawStroke(painter, stroke, line, 0.7 * thick);
       const double arm = 0.26 * box.height();
       painter.setPen(QPen(colors.text_muted, 0.6 * thick, Qt::SolidLine, Qt::RoundCap));
@@ -84,8 +84,8 @@ GraphLegend::GraphLegend(const GraphPaint& paint, const GraphMarks& marks, Theme
   if (paint.words.size() > kMaxClasses || (of_cells && !scale_ && paint.words.empty() && !paint.fills.empty())) {
     add(Sample::Fill, {Qt::transparent}, tr("and so on"));
   }
-  if (paint.has_unknown) add(of_class, {of_cells ? colors_.cell_fill : colors_.muted_link}, notKnownWord());
-  if (marks.muted) add(Sample::Muted, {colors_.muted_link}, tr("not used"));
+  if (paint.has_unknown) add(of_class, {of_cells ? colors_.cell_fill : colors_.excluded_link}, notKnownWord());
+  if (marks.excluded) add(Sample::Excluded, {colors_.excluded_link}, tr("not used"));
   if (marks.tree) add(Sample::Tree, {colors_.tree_band}, tr("shortest paths"));
   add(Sample::Origin, {colors_.text}, tr("origin"));
 }

@@ -16,7 +16,7 @@ namespace hexoderm {
 /// Marks in the graph that the legend explains besides the colours.
 struct GraphMarks {
   bool tree = false;
-  bool muted = false;
+  bool excluded = false;
 };
 
 /// The legend below the graph: each class of colours with its line or fill, or a scale with its unit

@@ -46,7 +46,7 @@ void GraphPainter::drawSheet(QPainter& painter) const {
   if (style_.marks_tree && smooth) drawTree(painter);
   if (dotsAreUnderLinks()) drawDots(painter);
   drawLinks(painter);
-  drawMutedLinks(painter);
+  drawExcludedLinks(painter);
   painter.setRenderHint(QPainter::Antialiasing, true);
   if (scene_.cutCount() <= kMaxCutCurves) drawCutCurves(painter);
   painter.setRenderHint(QPainter::Antialiasing, smooth);
@@ -167,15 +167,15 @@ void GraphPainter::drawLinks(QPainter& painter) const {
   }
   if (!plain.isEmpty()) {
     const double width = std::clamp(0.1 * radius_px_, 1.0, 3.0);
-    painter.setPen(QPen(colors_.muted_link, thin ? 1.0 : width, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colors_.excluded_link, thin ? 1.0 : width, Qt::SolidLine, Qt::FlatCap));
     painter.drawLines(plain);
   }
   for (std::size_t k = 0; k < lines.size(); ++k) drawStrokes(painter, lines[k], paint_.strokes[k]);
 }
 
 /// Grey and crossed. Between cells that lie far apart, a thin line says what belongs together.
-void GraphPainter::drawMutedLinks(QPainter& painter) const {
-  if (!scene_.hasMutedLinks()) return;
+void GraphPainter::drawExcludedLinks(QPainter& painter) const {
+  if (!scene_.hasExcludedLinks()) return;
   QVector<QLineF> links;
   QVector<QLineF> between;
   QVector<QLineF> crosses;
@@ -200,9 +200,10 @@ void GraphPainter::drawMutedLinks(QPainter& painter) const {
   }
   const bool thin = radius_px_ < graph_levels::kOutlineRadius || is_crowded_;
   const auto width = [thin](double pixels) { return thin ? 1.0 : pixels; };
-  painter.setPen(QPen(colors_.muted_link, width(std::clamp(0.11 * radius_px_, 1.0, 3.0)), Qt::SolidLine, Qt::FlatCap));
+  painter.setPen(
+      QPen(colors_.excluded_link, width(std::clamp(0.11 * radius_px_, 1.0, 3.0)), Qt::SolidLine, Qt::FlatCap));
   painter.drawLines(links);
-  QPen dashed(colors_.muted_link, 1.0);
+  QPen dashed(colors_.excluded_link, 1.0);
   dashed.setDashPattern({4, 4});
   painter.setPen(dashed);
   painter.drawLines(between);
@@ -212,7 +213,7 @@ void GraphPainter::drawMutedLinks(QPainter& painter) const {
 }
 
 void GraphPainter::drawCutCurves(QPainter& painter) const {
-  QPen dashed(colors_.muted_link, 1.0);
+  QPen dashed(colors_.excluded_link, 1.0);
   dashed.setDashPattern({3, 4});
   painter.setPen(dashed);
   painter.setBrush(Qt::NoBrush);

@@ -59,7 +59,7 @@ class GraphPainter {
   void drawLinks(QPainter& painter) const;
   void drawTree(QPainter& painter) const;
   void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const;
-  void drawMutedLinks(QPainter& painter) const;
+  void drawExcludedLinks(QPainter& painter) const;
   void drawCutCurves(QPainter& painter) const;
   [[nodiscard]] QPainterPath cutCurve(const GraphScene::Link& link) const;
   void drawCells(QPainter& painter) const;

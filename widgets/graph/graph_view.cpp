@@ -107,7 +107,7 @@ GraphStyle GraphView::style() const {
   return style;
 }
 
-GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasMutedLinks()}; }
+GraphMarks GraphView::marks() const { return {button_->marksTree(), scene_->hasExcludedLinks()}; }
 
 GraphPicture GraphView::picture() const { return {scene_, paint_, camera_, style(), marks(), fit_.legend_area}; }
 

@@ -26,7 +26,7 @@ class ScaleRanges;
 class Selection;
 
 /// The live graph: the skin as a flat honeycomb of hexagons with IDs. Every link is drawn in both directions with the
-/// colour and line style of its quality, or coloured by another figure; muted links are grey and crossed. Cuts of
+/// colour and line style of its quality, or coloured by another figure; excluded links are grey and crossed. Cuts of
 /// closed surfaces, the origin and the shortest paths are marked. A button over the graph chooses the colours and a
 /// legend below it explains them; both give way where there is no room for them.
 class GraphView : public QWidget {

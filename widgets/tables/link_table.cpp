@@ -58,7 +58,7 @@ LinkTable::LinkTable(QObject* parent) : LinkRowTable(parent) {
 QVariant LinkTable::ofRow(int row, int role) const {
   const LinkEstimate& link = linkAt(row);
   if (role == Qt::ToolTipRole) return linkToolTip(*reconstruction(), link);
-  return role == Qt::ForegroundRole && !link.used ? mutedForeground() : QVariant();
+  return role == Qt::ForegroundRole && !link.used ? excludedForeground() : QVariant();
 }
 
 }  // namespace hexoderm

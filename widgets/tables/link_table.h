@@ -4,7 +4,7 @@
 
 namespace hexoderm {
 
-/// The columns Link | Quality | Residual | Predicted | Bend | Twist | Yaw | State; one row per link, muted links
+/// The columns Link | Quality | Residual | Predicted | Bend | Twist | Yaw | State; one row per link, excluded links
 /// included.
 class LinkTable : public LinkRowTable {
   Q_OBJECT

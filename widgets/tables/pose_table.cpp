@@ -66,7 +66,7 @@ QVariant PoseTable::ofRow(int row, int role) const {
   const PoseSummary& pose = reconstruction()->poses[static_cast<std::size_t>(row)];
   if (pose.enabled) return {};
   if (role == Qt::ToolTipRole) return tr("Pose %1 is disabled: it is kept, but not used.").arg(pose.pose.value());
-  return role == Qt::ForegroundRole ? mutedForeground() : QVariant();
+  return role == Qt::ForegroundRole ? excludedForeground() : QVariant();
 }
 
 QVariant PoseTable::data(const QModelIndex& index, int role) const {

@@ -52,7 +52,7 @@ WindowActions::WindowActions(QWidget* owner, QUndoStack* undo_stack)
   demo->setIconText(tr("Start the demo skin"));
   // A key that is held must not take a row of poses.
   for (QAction* action : {capture, automatic, skip_pose, turn, robot, live_mode, light_cell, toggle_pose, delete_pose,
-                          recapture, retake, mute_link, screenshot, swap_views, plot, compare}) {
+                          recapture, retake, exclude_link, screenshot, swap_views, plot, compare}) {
     action->setAutoRepeat(false);
   }
   for (QAction* action : {automatic, robot, live_mode, light_cell}) action->setCheckable(true);
@@ -84,7 +84,7 @@ void WindowActions::fillMenuBar(QMenuBar* bar, const std::vector<QAction*>& pane
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions({toggle_pose, delete_pose, recapture});
-  edit->addAction(mute_link);
+  edit->addAction(exclude_link);
   edit->addSeparator();
   edit->addAction(preferences);
 
@@ -180,12 +180,13 @@ QString WindowActions::whyNoSession(const SessionController& controller) {
 void WindowActions::refreshLink(const SessionController& controller, const std::optional<Selection::Link>& picked) {
   QString no_link = whyNoSession(controller);
   if (no_link.isEmpty() && !picked) no_link = tr("Pick a link in the graph or in the table of links first");
-  const bool muted = no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
-  mute_link->setText(muted ? tr("Take link b&ack") : tr("Set link &aside"));
-  mute_link->setProperty(kPurpose, muted
-                                       ? tr("Let the picked link into the solution again")
-                                       : tr("Keep the picked link out of the solution, if it is a cable for example"));
-  allow(mute_link, no_link);
+  const bool excluded =
+      no_link.isEmpty() && controller.session()->findMutedLink(picked->first, picked->second) != nullptr;
+  exclude_link->setText(excluded ? tr("Take link b&ack") : tr("Set link &aside"));
+  exclude_link->setProperty(kPurpose,
+                            excluded ? tr("Let the picked link into the solution again")
+                                     : tr("Keep the picked link out of the solution, if it is a cable for example"));
+  allow(exclude_link, no_link);
 }
 
 void WindowActions::refreshSolving(const SessionController& controller) {

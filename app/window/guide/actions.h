@@ -65,8 +65,8 @@ class WindowActions {
   QAction* retake = make("actionRetake", tr("Take a &pose again"),
                          tr("The next capture takes the place of the pose that keeps the result from being better"));
   /// "Set link aside", or "Take link back"
-  QAction* mute_link =
-      make("actionMuteLink", tr("Set link &aside"),
+  QAction* exclude_link =
+      make("actionExcludeLink", tr("Set link &aside"),
            tr("Keep the picked link out of the solution, if it is a cable for example"), {QKeySequence(Qt::Key_M)});
   QAction* capture =
       make("actionCapture", tr("Capture &now"),

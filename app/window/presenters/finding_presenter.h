@@ -148,9 +148,9 @@ class FindingPresenter : public Presenter {
     if (!offer(remedy, finding)) return;
     switch (remedy) {
       case FindingRemedy::MuteLink: {
-        const bool muted = controller.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
+        const bool excluded = controller.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
         selection.selectLink(firstEnd(finding), secondEnd(finding));
-        controller.setLinkMuted(firstEnd(finding), secondEnd(finding), !muted);
+        controller.setLinkMuted(firstEnd(finding), secondEnd(finding), !excluded);
         break;
       }
       case FindingRemedy::DisablePose: {
