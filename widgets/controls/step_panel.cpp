@@ -26,8 +26,8 @@ QString readinessText(Readiness readiness) {
 }
 
 constexpr int kBadge = 24;
-constexpr int kMargin = 14;
-constexpr int kIndent = kMargin + kBadge + 10;
+constexpr int kStepMargin = 14;
+constexpr int kIndent = kStepMargin + kBadge + 10;
 
 QString stateText(StepState state) {
   return ofEnum(state, {StepPanel::tr("waiting"), StepPanel::tr("current"), StepPanel::tr("done")});
@@ -61,7 +61,7 @@ class StepHead : public QAbstractButton {
 
   QSize sizeHint() const override { return {kIndent + 150, heightForWidth(QWIDGETSIZE_MAX)}; }
   int heightForWidth(int width) const override {
-    const int lines = fontMetrics().height() + (note_.isEmpty() ? 0 : noteHeight(width - kIndent - kMargin) + 2);
+    const int lines = fontMetrics().height() + (note_.isEmpty() ? 0 : noteHeight(width - kIndent - kStepMargin) + 2);
     return std::max(kBadge, lines) + 16;
   }
 
@@ -76,7 +76,7 @@ class StepHead : public QAbstractButton {
       painter.drawRoundedRect(rect().adjusted(2, 2, -2, -2), 4, 4);
     }
     paintBadge(painter, colors);
-    const int width_left = width() - kIndent - kMargin;
+    const int width_left = width() - kIndent - kStepMargin;
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     const QFontMetrics metrics(bold);
@@ -102,7 +102,7 @@ class StepHead : public QAbstractButton {
     return fontMetrics().boundingRect(QRect(0, 0, std::max(1, width), 10000), kNoteFlags, note_).height();
   }
   void paintBadge(QPainter& painter, const Colors& colors) const {
-    const QRectF circle(kMargin + 0.5, 8.5, kBadge - 1, kBadge - 1);
+    const QRectF circle(kStepMargin + 0.5, 8.5, kBadge - 1, kBadge - 1);
     const bool waiting = state_ == StepState::Waiting;
     painter.setPen(waiting ? QPen(colors.border, 1.5) : QPen(Qt::NoPen));
     painter.setBrush(waiting ? QBrush(Qt::NoBrush) : QBrush(state_ == StepState::Done ? colors.good : colors.accent));
@@ -149,7 +149,7 @@ class StepPanel::Row : public QWidget {
     what_->setProperty("stepWhat", true);
     why_->setProperty("muted", true);
     because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
-    auto* body = spaced(new QVBoxLayout(body_), {kMargin + 6, 2, kMargin, 14}, 8);
+    auto* body = spaced(new QVBoxLayout(body_), {kStepMargin + 6, 2, kStepMargin, 14}, 8);
     addWidgets(body, {what_, why_, because_});
     body->addLayout(content_);
     body->addLayout(buttons_);
