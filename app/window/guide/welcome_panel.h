@@ -45,7 +45,7 @@ class WelcomePanel : public QScrollArea {
       button->setAction(action);
       button->setFocusPolicy(Qt::StrongFocus);
       if (action == choices.front()) button->setProperty("primary", true);
-      auto* purpose = makeLabel(purposeOf(*action), "muted");
+      auto* purpose = makeLabel(WindowActions::purposeOf(*action), "muted");
       const int row = rows->rowCount();
       button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
       rows->addWidget(button, row, 0);
