@@ -14,7 +14,6 @@
 
 #include <cstdint>
 #include <exception>
-#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>

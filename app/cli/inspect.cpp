@@ -5,7 +5,6 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 
-#include <algorithm>
 #include <iostream>
 
 namespace hexoderm::cli {

@@ -8,7 +8,6 @@
 #include "hexoderm/solve/result/reconstruction.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 
 namespace hexoderm::cli {

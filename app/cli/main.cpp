@@ -1,9 +1,44 @@
 #include "app/cli/command.h"
-#include "app/cli/version.h"
 
 #include "hexoderm/base/freed_memory.h"
 #include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/library_versions.h"
+#include "hexoderm/device/skinwire/messages.h"
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/io/placements_json.h"
+#include "hexoderm/io/session_json.h"
+#include "hexoderm/session/store_version.h"
+#include "hexoderm/sim/robot_truth_json.h"
 #include "hexoderm/sim/simulated_source.h"
+
+#include <sstream>
+#include <string_view>
+
+namespace hexoderm::cli {
+
+/// The commit of the sources, and whether they had changes; empty if it is not known. Defined in a source that is
+/// written when the program is built.
+extern const char* const kCommit;
+
+namespace {
+
+/// What `--version` says: version and commit, versions of files and wire, and libraries. The first line is the
+/// program's name and version.
+std::string versionText() {
+  std::ostringstream text;
+  text << "hexoderm-cli " HEXODERM_VERSION "\n";
+  text << "commit: " << (std::string_view(kCommit).empty() ? "not known" : kCommit) << '\n';
+  text << "files: session " << kSessionVersion << ", calibration " << kCalibrationVersion << ", placements "
+       << kPlacementsVersion << ", robot truth " << kRobotTruthVersion << ", journal (*.hexo) " << kStoreVersion
+       << '\n';
+  text << "wire: SkinWire " << int{skinwire::kMajor} << '.' << skinwire::kMinor << '\n';
+  text << "libraries: CLI11 " CLI11_VERSION;
+  for (const LibraryVersion& library : libraryVersions()) text << ", " << library.name << ' ' << library.version;
+  return text.str();
+}
+
+}  // namespace
+}  // namespace hexoderm::cli
 
 int main(int argc, char** argv) {
   using namespace hexoderm;

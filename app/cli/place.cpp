@@ -13,7 +13,6 @@
 #include "app/cli/json.h"
 
 #include <algorithm>
-#include <array>
 #include <iostream>
 #include <limits>
 #include <map>

@@ -8,7 +8,6 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <iomanip>
 #include <optional>

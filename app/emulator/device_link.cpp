@@ -21,7 +21,6 @@
 #include <cstring>
 #include <optional>
 #include <utility>
-#include <vector>
 
 namespace hexoderm::emulator {
 namespace {

@@ -20,8 +20,7 @@ struct LiveWords {
 };
 
 QLabel* plainLabel(const char* object_name, QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(object_name));
+  auto* label = named(new QLabel(parent), object_name);
   // A device's texts are never read as markup.
   label->setTextFormat(Qt::PlainText);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -23,10 +23,8 @@ class CardDock : public QDockWidget {
     setNames(this, object_name, heading);
     content->setAccessibleName(heading);
     // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
-    auto* bar = new QFrame;
-    bar->setProperty("cardHead", true);
+    auto* bar = styledAs(new QFrame, "cardHead");
     title_->setProperty("caption", true);
-    remark_->setProperty("muted", true);
     remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     remark_->hide();
     auto* head = spaced(new QHBoxLayout(bar), {13, 9, 13, 5});
@@ -36,8 +34,7 @@ class CardDock : public QDockWidget {
     bar->setToolTip(tr("Drag to move this panel, double-click to take it out of the window"));
     setTitleBarWidget(bar);
 
-    auto* body = new QFrame;
-    body->setProperty("cardBody", true);
+    auto* body = styledAs(new QFrame, "cardBody");
     auto* layout = spaced(new QVBoxLayout(body), {1, 0, 1, 1});
     layout->addWidget(content);
     setWidget(body);
@@ -63,7 +60,7 @@ class CardDock : public QDockWidget {
 
  private:
   QLabel* title_;
-  ElidedLabel* remark_ = new ElidedLabel;
+  ElidedLabel* remark_ = styledAs(new ElidedLabel, "muted");
 };
 
 }  // namespace hexoderm

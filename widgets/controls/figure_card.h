@@ -65,8 +65,6 @@ class FigureCard : public QFrame {
       label->setWordWrap(true);
       label->setTextFormat(Qt::RichText);
     }
-    text_->setObjectName(QStringLiteral("figureText"));
-    value_->setObjectName(QStringLiteral("figureValue"));
     auto* layout = spaced(new QVBoxLayout(this), {12, 9, 12, 10}, 5);
     if (kind == Kind::Passing) {
       setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -163,8 +161,8 @@ class FigureCard : public QFrame {
   Kind kind_;
   QString said_;
   QString said_value_;
-  QLabel* text_ = new QLabel;
-  QLabel* value_ = new QLabel;
+  QLabel* text_ = named(new QLabel, "figureText");
+  QLabel* value_ = named(new QLabel, "figureValue");
   QLabel* neighbors_word_ = nullptr;
   QWidget* neighbors_ = nullptr;
   std::vector<QToolButton*> buttons_;

@@ -30,7 +30,6 @@ class FindCellField : public QFrame {
     field_->setFixedWidth(field_->fontMetrics().horizontalAdvance(field_->placeholderText()) + 40);
     field_->setValidator(new QRegularExpressionValidator(QRegularExpression(QStringLiteral("[0-9]*")), field_));
     field_->installEventFilter(this);
-    answer_->setProperty("muted", true);
     answer_->hide();
     auto* row = spaced(new QHBoxLayout(this), {5, 5, 5, 5}, 6);
     addWidgets(row, {field_, answer_});
@@ -98,7 +97,7 @@ class FindCellField : public QFrame {
 
   std::function<bool(CellId)> exists_;
   QLineEdit* field_ = new QLineEdit(this);
-  QLabel* answer_ = new QLabel(this);
+  QLabel* answer_ = styledAs(new QLabel(this), "muted");
 };
 
 }  // namespace hexoderm

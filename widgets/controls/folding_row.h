@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/controls/item_layout.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QAction>
 #include <QMap>
@@ -8,7 +9,6 @@
 #include <QToolButton>
 #include <QWidget>
 #include <algorithm>
-#include <optional>
 
 namespace hexoderm {
 
@@ -28,7 +28,6 @@ class FoldingRow : public ItemLayout {
     more_->setPopupMode(QToolButton::InstantPopup);
     more_->setMenu(menu_);
     more_->hide();
-    menu_->setObjectName(QStringLiteral("moreMenu"));
     menu_->setToolTipsVisible(true);
     connect(menu_, &QMenu::aboutToShow, this, &FoldingRow::fillMenu);
   }
@@ -137,7 +136,7 @@ class FoldingRow : public ItemLayout {
 
   QMap<QWidget*, Qt::FocusPolicy> folded_;  ///< with the policy that it has otherwise
   QToolButton* more_;
-  QMenu* menu_ = new QMenu(more_);
+  QMenu* menu_ = named(new QMenu(more_), "moreMenu");
 };
 
 }  // namespace hexoderm

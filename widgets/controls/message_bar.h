@@ -27,13 +27,11 @@ class MessageBar : public QFrame {
     setObjectName(QStringLiteral("messageBar"));
     setProperty("card", true);
     text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    button_->setObjectName(QStringLiteral("messageButton"));
     connect(button_, &QPushButton::clicked, this, [this] {
       // A copy: what it does may bring the next message.
       if (const std::function<void()> pressed = pressed_) pressed();
     });
-    auto* close = new QToolButton(this);
-    close->setObjectName(QStringLiteral("messageClose"));
+    auto* close = named(new QToolButton(this), "messageClose");
     close->setProperty("flat", true);
     close->setText(QStringLiteral("\u2715"));
     close->setToolTip(tr("Close this message"));
@@ -85,7 +83,7 @@ class MessageBar : public QFrame {
 
  private:
   QLabel* text_ = paragraph("messageText", this);
-  QPushButton* button_ = new QPushButton(this);
+  QPushButton* button_ = named(new QPushButton(this), "messageButton");
   std::function<void()> pressed_;
   Tone tone_ = Tone::Neutral;
 };

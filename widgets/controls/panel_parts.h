@@ -38,7 +38,28 @@ void addWidgets(Place* place, std::initializer_list<QWidget*> widgets) {
   for (QWidget* widget : widgets) place->addWidget(widget);
 }
 
-/// `name`: of the object, by which tests and style sheets find it.
+/// Names an object, so that tests and style sheets find it.
+template <class Object>
+Object* named(Object* object, const char* name) {
+  object->setObjectName(QLatin1String(name));
+  return object;
+}
+
+/// The same, with what a screen reader says.
+template <class Widget>
+Widget* named(Widget* widget, const char* name, const QString& accessible_name) {
+  widget->setAccessibleName(accessible_name);
+  return named(widget, name);
+}
+
+/// Sets a property that the style sheet asks for: "muted", "caption", "card" ...
+template <class Widget>
+Widget* styledAs(Widget* widget, const char* look) {
+  widget->setProperty(look, true);
+  return widget;
+}
+
+/// The names for tests and style sheets, and for screen readers.
 inline void setNames(QWidget* widget, const QString& name, const QString& accessible_name) {
   widget->setObjectName(name);
   widget->setAccessibleName(accessible_name);
@@ -52,8 +73,7 @@ inline void setPlainParagraph(QLabel* label) {
 
 /// A label of this name with such texts.
 inline QLabel* paragraph(const char* name, QWidget* parent = nullptr) {
-  auto* label = new QLabel(parent);
-  label->setObjectName(QLatin1String(name));
+  auto* label = named(new QLabel(parent), name);
   setPlainParagraph(label);
   return label;
 }
@@ -66,8 +86,7 @@ inline void showIfAny(QLabel* label, const QString& text) {
 
 /// One of several buttons in a row, of which one is pressed.
 inline QToolButton* addChoice(QButtonGroup* group, QHBoxLayout* row, const char* name, const QString& text) {
-  auto* button = new QToolButton;
-  button->setObjectName(QLatin1String(name));
+  auto* button = named(new QToolButton, name);
   button->setText(text);
   button->setCheckable(true);
   group->addButton(button);
@@ -78,17 +97,23 @@ inline QToolButton* addChoice(QButtonGroup* group, QHBoxLayout* row, const char*
 /// A button of this name that the keyboard reaches, and that leaves the keys where they were when it is clicked.
 template <class Button>
 Button* quiet(Button* button, const char* name) {
-  button->setObjectName(QLatin1String(name));
   button->setFocusPolicy(Qt::TabFocus);
-  return button;
+  return named(button, name);
 }
 
 /// Makes a timer that, once started, does this once.
-template <class Work>
-void setUpOnce(QTimer& timer, int after_ms, QObject* receiver, Work work) {
+template <class Receiver, class Work>
+void setUpOnce(QTimer& timer, int after_ms, Receiver* receiver, Work work) {
   timer.setSingleShot(true);
   timer.setInterval(after_ms);
   QObject::connect(&timer, &QTimer::timeout, receiver, work);
+}
+
+/// It lies over a view, and whoever points at it points at that.
+inline void letThrough(QWidget* overlay) {
+  overlay->setAttribute(Qt::WA_TransparentForMouseEvents);
+  overlay->setAttribute(Qt::WA_NoSystemBackground);
+  overlay->setFocusPolicy(Qt::NoFocus);
 }
 
 /// Grey, and then it says why.

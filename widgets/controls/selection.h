@@ -27,17 +27,36 @@ class Selection : public QObject {
 
   /// Ascending, each once.
   [[nodiscard]] const std::vector<CellId>& brushed() const { return brushed_; }
-  [[nodiscard]] bool isBrushed(CellId cell) const;
+  [[nodiscard]] bool isBrushed(CellId cell) const { return std::ranges::binary_search(brushed_, cell); }
 
-  void selectCell(CellId cell);
-  void selectLink(LinkEnd a, LinkEnd b);
+  void selectCell(CellId cell) { set(cell, std::nullopt); }
+  void selectLink(LinkEnd a, LinkEnd b) { set(std::nullopt, linkOf(a, b)); }
+
   /// Nothing is picked or brushed any more.
-  void clear();
+  void clear() {
+    set(std::nullopt, std::nullopt);
+    brush({});
+  }
+
   /// These are the brushed cells from now on, in any order.
-  void brush(std::vector<CellId> cells);
+  void brush(std::vector<CellId> cells) {
+    std::ranges::sort(cells);
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    if (cells == brushed_) return;
+    brushed_ = std::move(cells);
+    emit brushedChanged();
+  }
+
   /// Picks, and asks the views to turn to it: the operator wants to see where it is.
-  void seekCell(CellId cell);
-  void seekLink(LinkEnd a, LinkEnd b);
+  void seekCell(CellId cell) {
+    selectCell(cell);
+    emit sought();
+  }
+
+  void seekLink(LinkEnd a, LinkEnd b) {
+    selectLink(a, b);
+    emit sought();
+  }
 
  signals:
   /// Another cell or link is picked.
@@ -47,7 +66,12 @@ class Selection : public QObject {
   void sought();
 
  private:
-  void set(std::optional<CellId> cell, std::optional<Link> link);
+  void set(std::optional<CellId> cell, std::optional<Link> link) {
+    if (cell == cell_ && link == link_) return;
+    cell_ = cell;
+    link_ = link;
+    emit changed();
+  }
 
   std::optional<CellId> cell_;
   std::optional<Link> link_;

@@ -29,13 +29,13 @@ class ToggleSwitch : public QCheckBox {
     painter.setRenderHint(QPainter::Antialiasing);
     const QRectF track(2, 0.5 * (height() - 0.95 * line), 1.75 * line, 0.95 * line);
     const bool on = isChecked();
-    painter.setPen(QPen(on && isEnabled() ? colors.accent : colors.muted_link, 1.2));
-    painter.setBrush(on ? (isEnabled() ? colors.accent : colors.muted_link) : colors.panel);
+    painter.setPen(QPen(on && isEnabled() ? colors.accent : colors.excluded_link, 1.2));
+    painter.setBrush(on ? (isEnabled() ? colors.accent : colors.excluded_link) : colors.panel);
     painter.drawRoundedRect(track, track.height() / 2, track.height() / 2);
     const double radius = 0.36 * line;
     const QPointF knob(on ? track.right() - track.height() / 2 : track.left() + track.height() / 2, track.center().y());
     painter.setPen(Qt::NoPen);
-    painter.setBrush(on ? colors.panel : colors.muted_link);
+    painter.setBrush(on ? colors.panel : colors.excluded_link);
     painter.drawEllipse(knob, radius, radius);
     const QRectF label(track.right() + kSpace * line, 0, width() - track.right() - kSpace * line, height());
     painter.setPen(isEnabled() ? colors.text : colors.text_muted);

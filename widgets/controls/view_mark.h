@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/controls/banner.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -28,9 +29,7 @@ class ViewMark : public QWidget {
 
   /// Lies over `view`, which owns it, as large as that is.
   explicit ViewMark(QWidget* view) : QWidget(view) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
+    letThrough(this);
     view->installEventFilter(this);
     hide();
   }

@@ -68,7 +68,7 @@ class GraphScene {
   [[nodiscard]] const std::array<QPointF, 6>& outline() const { return outline_; }
   /// Centre to corner of a drawn hexagon, metres.
   [[nodiscard]] double radius_m() const { return radius_m_; }
-  [[nodiscard]] bool hasMutedLinks() const { return has_muted_links_; }
+  [[nodiscard]] bool hasExcludedLinks() const { return has_excluded_links_; }
   [[nodiscard]] std::size_t cutCount() const { return cut_count_; }
   [[nodiscard]] std::size_t longestId() const { return longest_id_; }  ///< in digits
 
@@ -122,7 +122,7 @@ class GraphScene {
       const QPointF& target = cells_[link.target].center;
       double distance = distanceWithin(smallest, point, source, link.from);
       distance = distanceWithin(distance, point, target, link.to);
-      // The line between the patches belongs to a muted link, too; a cut one ends at its ports.
+      // The line between the patches belongs to an excluded link, too; a cut one ends at its ports.
       if (!link.cut) distance = distanceWithin(distance, point, link.from, link.to);
       if (distance >= smallest) continue;
       smallest = distance;
@@ -239,7 +239,7 @@ class GraphScene {
       if (!source || !target) continue;
       cells_[*source].links.push_back(links_.size());
       cells_[*target].links.push_back(links_.size());
-      has_muted_links_ |= !estimate.used;
+      has_excluded_links_ |= !estimate.used;
       links_.push_back({&estimate, *source, *target, toPoint(flat.from), toPoint(flat.to), flat.cut,
                         flat.cut ? letters(cut_count_++) : QString()});
     }
@@ -252,7 +252,7 @@ class GraphScene {
   QRectF bounds_;
   std::array<QPointF, 6> outline_;
   double radius_m_ = 0;
-  bool has_muted_links_ = false;
+  bool has_excluded_links_ = false;
   std::size_t cut_count_ = 0;
   std::size_t longest_id_ = 1;
   std::unordered_map<CellId, std::size_t> index_of_;

@@ -24,7 +24,6 @@
 #include <QWidget>
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -60,7 +59,6 @@ class CompareView : public QWidget {
     setNames(before_, QStringLiteral("compareBefore"), tr("The patch before"));
     setNames(now_, QStringLiteral("compareNow"), tr("The patch now"));
     layout->addLayout(panes, 1);
-    summary_->setObjectName(QStringLiteral("compareSummary"));
     summary_->setWordWrap(true);
     layout->addWidget(summary_);
     cameras_ = std::make_unique<CameraLink>(*before_, *now_);
@@ -114,8 +112,7 @@ class CompareView : public QWidget {
   }
 
   static QWidget* addPane(QHBoxLayout* panes, const char* name, const QString& text, PatchView* patch) {
-    auto* title = new QLabel(text);
-    title->setObjectName(QLatin1String(name));
+    auto* title = named(new QLabel(text), name);
     title->setProperty("caption", true);
     title->setTextFormat(Qt::PlainText);
     auto* pane = new QWidget;
@@ -127,7 +124,6 @@ class CompareView : public QWidget {
   }
 
   void buildHead(QVBoxLayout* layout) {
-    setNames(source_, QStringLiteral("compareSource"), tr("What the result of now is compared with"));
     source_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     connect(source_, qOverload<int>(&QComboBox::activated), this, &CompareView::sourceChosen);
     auto* modes = new QButtonGroup(this);
@@ -144,7 +140,6 @@ class CompareView : public QWidget {
     add(arrows_, "compareArrows", tr("Arrows"), tr("The result of now, with an arrow from where each cell was"),
         Mode::Arrows);
     side_by_side_->setChecked(true);
-    setNames(slider_, QStringLiteral("compareFactor"), tr("Enlargement of the arrows"));
     slider_->setRange(0, static_cast<int>(kFactors.size()) - 1);
     slider_->setPageStep(3);
     slider_->setMinimumWidth(24 * fontMetrics().averageCharWidth());
@@ -152,7 +147,6 @@ class CompareView : public QWidget {
       now_->setShiftFactor(kFactors.at(static_cast<std::size_t>(step)));
       showFactor();
     });
-    factor_label_->setObjectName(QStringLiteral("compareFactorLabel"));
     auto* row = spaced(new QHBoxLayout(enlarged_), {8, 0, 0, 0});
     addWidgets(row, {new QLabel(tr("Arrows enlarged")), slider_, factor_label_});
     auto* head = new FlowLayout;
@@ -202,14 +196,14 @@ class CompareView : public QWidget {
   std::unique_ptr<CameraLink> cameras_;
   Content content_;
   Mode mode_ = Mode::SideBySide;
-  QComboBox* source_ = new QComboBox;
+  QComboBox* source_ = named(new QComboBox, "compareSource", tr("What the result of now is compared with"));
   QToolButton* side_by_side_ = new QToolButton;
   QToolButton* arrows_ = new QToolButton;
   QWidget* enlarged_ = new QWidget;
-  QSlider* slider_ = new QSlider(Qt::Horizontal);
-  QLabel* factor_label_ = new QLabel;
+  QSlider* slider_ = named(new QSlider(Qt::Horizontal), "compareFactor", tr("Enlargement of the arrows"));
+  QLabel* factor_label_ = named(new QLabel, "compareFactorLabel");
   QWidget* before_pane_ = nullptr;
-  QLabel* summary_ = new QLabel;
+  QLabel* summary_ = named(new QLabel, "compareSummary");
 };
 
 }  // namespace hexoderm

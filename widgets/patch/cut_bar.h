@@ -32,8 +32,7 @@ class CutBar : public QFrame {
     slider_->setFocusPolicy(Qt::StrongFocus);
     slider_->setAccessibleName(tr("Depth of the cut"));
     slider_->setToolTip(tr("How much of the skin is taken away from in front"));
-    auto* align = new QToolButton(this);
-    align->setObjectName(QStringLiteral("cutAlign"));
+    auto* align = named(new QToolButton(this), "cutAlign");
     align->setText(tr("Face me"));
     align->setToolTip(tr("Turns the cut so that it faces you as you look now"));
     align->setFocusPolicy(Qt::TabFocus);

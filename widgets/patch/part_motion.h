@@ -3,6 +3,7 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/capture/calm_up.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/patch/arrow_keys.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"
@@ -13,7 +14,6 @@
 
 #include <QElapsedTimer>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QObject>
 #include <QPoint>
@@ -21,7 +21,6 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -55,8 +54,7 @@ class PartMotion : public QObject {
       canvas_->setCursor(on ? Qt::OpenHandCursor : Qt::ArrowCursor);
       if (on) view_->setFocus();
     });
-    request_soon_.setSingleShot(true);
-    connect(&request_soon_, &QTimer::timeout, this, &PartMotion::request);
+    setUpOnce(request_soon_, kRequestEvery_ms, this, &PartMotion::request);
     turn_over_.setSingleShot(true);
     turn_over_.setInterval(kTurnOver_ms);
     turns_.setUpdateInterval(kFrame_ms);

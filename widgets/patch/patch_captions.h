@@ -1,10 +1,10 @@
 #pragma once
 
+#include "widgets/controls/panel_parts.h"
 #include "widgets/scene/scene_corners.h"
 #include "widgets/scene/scene_ghost.h"
 #include "widgets/style/palette.h"
 
-#include <QImage>
 #include <QPainter>
 #include <QPainterPath>
 #include <QStringList>
@@ -32,11 +32,7 @@ class PatchCaptions : public QWidget {
     QString legend;   ///< in words, for screen readers
   };
 
-  explicit PatchCaptions(QWidget* parent = nullptr) : QWidget(parent) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
-  }
+  explicit PatchCaptions(QWidget* parent = nullptr) : QWidget(parent) { letThrough(this); }
 
   void setContent(const Content& content) {
     content_ = content;

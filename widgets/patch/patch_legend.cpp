@@ -135,27 +135,12 @@ void PatchLegend::addSigns() {
   }
 }
 
-PatchLegend::Rows PatchLegend::arranged(std::vector<Entry> entries, int room) const {
-  Rows rows;
-  rows.entries = std::move(entries);
-  if (rows.entries.empty()) return rows;
+LegendRows PatchLegend::arranged(std::vector<LegendRows::Entry> entries, int room) const {
   const QFontMetrics metrics(font_);
-  int total = -kBetweenEntries;
-  for (const Entry& entry : rows.entries) {
-    rows.widths.push_back(std::min(kSample + kBeforeWord + metrics.horizontalAdvance(entry.word), room));
-    total += rows.widths.back() + kBetweenEntries;
-    rows.widest = std::max(rows.widest, rows.widths.back());
+  for (LegendRows::Entry& entry : entries) {
+    entry.width = std::min(kSample + kBeforeWord + metrics.horizontalAdvance(entry.word), room);
   }
-  const int count = static_cast<int>(rows.entries.size());
-  rows.columns = count;
-  if (total > room) {
-    rows.columns = std::clamp((room + kBetweenEntries) / (rows.widest + kBetweenEntries), 1, count);
-    const int lines = (count + rows.columns - 1) / rows.columns;
-    rows.columns = (count + lines - 1) / lines;
-  }
-  rows.count = (count + rows.columns - 1) / rows.columns;
-  rows.width = rows.columns == count ? total : rows.columns * (rows.widest + kBetweenEntries) - kBetweenEntries;
-  return rows;
+  return {std::move(entries), 1.0 * room, 1.0 * kBetweenEntries};
 }
 
 void PatchLegend::layOut(const QSize& button) {
@@ -170,12 +155,12 @@ void PatchLegend::layOut(const QSize& button) {
   const bool has_room_above = between < least && area_.height() > kHigh;
   const int narrow = has_room_above ? full : std::min(full, std::max(between, least));
   class_rows_ = arranged(classes_, strip_ || !signs_.empty() ? narrow : full);
-  if (class_rows_.count > 1) class_rows_ = arranged(classes_, narrow);
+  if (class_rows_.count() > 1) class_rows_ = arranged(classes_, narrow);
   sign_rows_ = arranged(signs_, narrow);
-  const bool is_one_row = class_rows_.count == 1 && !strip_ && signs_.empty();
+  const bool is_one_row = class_rows_.count() == 1 && !strip_ && signs_.empty();
   const int room = is_one_row ? full : narrow;
-  double width = std::max(class_rows_.width, sign_rows_.width);
-  double height = (class_rows_.count + sign_rows_.count) * row_height_;
+  double width = std::max(class_rows_.width(), sign_rows_.width());
+  double height = (class_rows_.count() + sign_rows_.count()) * row_height_;
   const double wanted = metrics.horizontalAdvance(title_) + 2 * kBeforeWord + state.width() + 2;
   // In a small view the title has lines of its own, or its unit would be cut off.
   const bool is_stacked = wanted > room;
@@ -241,28 +226,11 @@ void PatchLegend::paint(QPainter& painter, std::optional<double> marked, const Q
     }
     strip_->paint(painter, marked, probed);
   }
-  paintRows(painter, class_rows_, signs_top_);
-  paintRows(painter, sign_rows_, signs_top_ + class_rows_.count * row_height_);
+  const double middle = place_.center().x();
+  class_rows_.paint(painter, {middle, signs_top_}, row_height_, kSample + kBeforeWord, colors.text);
+  sign_rows_.paint(painter, {middle, signs_top_ + class_rows_.count() * row_height_}, row_height_,
+                   kSample + kBeforeWord, colors.text);
   painter.restore();
-}
-
-void PatchLegend::paintRows(QPainter& painter, const Rows& rows, double top) const {
-  const QFontMetrics metrics(font_);
-  const bool one_row = rows.count == 1;
-  const double left = place_.center().x() - 0.5 * rows.width;
-  double x = left;
-  for (std::size_t k = 0; k < rows.entries.size(); ++k) {
-    const auto place = static_cast<int>(k);
-    if (place % rows.columns == 0) x = left;
-    const double middle = top + (place / rows.columns + 0.5) * row_height_;
-    rows.entries[k].draw(painter, x, middle);
-    painter.setPen(Colors::of(theme_).text);
-    const int text_width = rows.widths[k] - kSample - kBeforeWord + 2;
-    painter.drawText(QRectF(x + kSample + kBeforeWord, middle - 0.5 * row_height_, text_width, row_height_),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     metrics.elidedText(rows.entries[k].word, Qt::ElideRight, text_width));
-    x += (one_row ? rows.widths[k] : rows.widest) + kBetweenEntries;
-  }
 }
 
 QString scaleStateWord(const ScaleLegend& scale) {

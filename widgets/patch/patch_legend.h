@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
+#include "widgets/coloring/legend_rows.h"
 #include "widgets/coloring/scale_strip.h"
 #include "widgets/style/palette.h"
 #include "widgets/style/scene_colors.h"
@@ -9,7 +10,6 @@
 #include <QRectF>
 #include <QSize>
 #include <QString>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -51,27 +51,11 @@ class PatchLegend {
              std::optional<int> probed) const;
 
  private:
-  /// A sample and its word.
-  struct Entry {
-    QString word;
-    std::function<void(QPainter&, double x, double y)> draw;
-  };
-  /// Entries in rows, each row in the middle; columns have one width where there are several rows.
-  struct Rows {
-    std::vector<Entry> entries;
-    std::vector<int> widths;
-    int columns = 1;
-    int count = 0;  ///< of rows
-    int widest = 0;
-    int width = 0;  ///< of the widest row
-  };
-
   void addSwatch(const QString& word, const Rgb& color);
   void addClasses();
   void addSigns();
-  [[nodiscard]] Rows arranged(std::vector<Entry> entries, int room) const;
+  [[nodiscard]] LegendRows arranged(std::vector<LegendRows::Entry> entries, int room) const;
   void layOut(const QSize& button);
-  void paintRows(QPainter& painter, const Rows& rows, double top) const;
 
   LegendContent content_;
   Theme theme_;
@@ -79,10 +63,10 @@ class PatchLegend {
   QFont font_;
   QSize area_;
   int row_height_;
-  std::vector<Entry> classes_;
-  std::vector<Entry> signs_;
-  Rows class_rows_;
-  Rows sign_rows_;
+  std::vector<LegendRows::Entry> classes_;
+  std::vector<LegendRows::Entry> signs_;
+  LegendRows class_rows_;
+  LegendRows sign_rows_;
   std::optional<ScaleStrip> strip_;
   QString title_;
   QString state_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/patch/patch_legend.h"
 #include "widgets/patch/range_popup.h"
 
@@ -28,7 +29,6 @@ class PatchLegendView : public QWidget {
     setObjectName(QStringLiteral("patchLegend"));
     setAttribute(Qt::WA_NoSystemBackground);
     setMouseTracking(true);
-    button_->setObjectName(QStringLiteral("scaleRange"));
     button_->setProperty("flat", true);
     button_->setFocusPolicy(Qt::TabFocus);
     button_->setToolTip(tr("The range of the colours: fitted to what is shown, the usual one, or as you type it"));
@@ -216,7 +216,7 @@ class PatchLegendView : public QWidget {
   std::optional<LegendContent> content_;
   std::optional<PatchLegend> legend_;
   int covered_px_ = 0;  ///< of the bottom of the parent, as heightChanged() says
-  QToolButton* button_ = new QToolButton(this);
+  QToolButton* button_ = named(new QToolButton(this), "scaleRange");
   RangePopup* popup_ = new RangePopup(this);
   std::optional<double> marked_;
   QString marked_word_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/base/finding.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/style/palette.h"
 
 #include <QPainter>
@@ -40,11 +41,7 @@ class PatchMarks : public QWidget {
     std::vector<SceneMark> found;
   };
 
-  explicit PatchMarks(QWidget* parent) : QWidget(parent) {
-    setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAttribute(Qt::WA_NoSystemBackground);
-    setFocusPolicy(Qt::NoFocus);
-  }
+  explicit PatchMarks(QWidget* parent) : QWidget(parent) { letThrough(this); }
 
   void setContent(const Content& content) {
     content_ = content;

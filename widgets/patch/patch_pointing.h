@@ -3,6 +3,7 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/figure_card.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/found_places.h"
@@ -52,9 +53,7 @@ class PatchPointing : public QObject {
         figure_card_(new FigureCard(FigureCard::Kind::Kept, view)),
         escape_(new QShortcut(QKeySequence(Qt::Key_Escape), view)) {
     figure_card_->setAccessibleName(tr("Figures of what is picked"));
-    look_soon_.setSingleShot(true);
-    look_soon_.setInterval(kLook_ms);
-    connect(&look_soon_, &QTimer::timeout, this, &PatchPointing::look);
+    setUpOnce(look_soon_, kLook_ms, this, &PatchPointing::look);
     glide_time_.setUpdateInterval(kGlideFrame_ms);
     glide_time_.setEasingCurve(QEasingCurve::InOutSine);
     connect(&glide_time_, &QTimeLine::valueChanged, this, [this](double share) {

@@ -2,6 +2,7 @@
 
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/scale_ranges.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/cut_bar.h"
 #include "widgets/patch/measure_tool.h"
@@ -300,8 +301,7 @@ struct PatchView::Parts : public QObject {
   /// the buttons over the scene offer too.
   void openMenuAt(const QPoint& position) {
     if (scene->content() == nullptr) return;
-    auto* menu = new QMenu(view);
-    menu->setObjectName(QStringLiteral("patchMenu"));
+    auto* menu = named(new QMenu(view), "patchMenu");
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
     const auto add = [&](const char* name, const QString& text, const auto& then) {

@@ -80,20 +80,11 @@ QString whyNotShown(SceneItem item, Availability availability) {
     case Availability::NoData:
       break;
   }
-  switch (item) {
-    case SceneItem::Ellipsoids:
-      return PatchWords::tr("This result states no uncertainties");
-    case SceneItem::Truth:
-      return PatchWords::tr("Only of a simulated skin is the truth known");
-    case SceneItem::Surface:
-      return PatchWords::tr("No surface was fitted yet");
-    case SceneItem::Loop:
-      return PatchWords::tr("No loop was evaluated yet");
-    case SceneItem::Comparison:
-      return PatchWords::tr("No comparison was made yet");
-    default:
-      return {};
-  }
+  const QString always;
+  return ofEnum(
+      item, {always, always, always, always, always, always, PatchWords::tr("This result states no uncertainties"),
+             PatchWords::tr("Only of a simulated skin is the truth known"), PatchWords::tr("No surface was fitted yet"),
+             PatchWords::tr("No loop was evaluated yet"), PatchWords::tr("No comparison was made yet")});
 }
 
 QStringList notesText(const SceneNotes& notes, const PatchOverlays& overlays) {

@@ -26,10 +26,6 @@ class RangePopup : public QFrame {
     setObjectName(QStringLiteral("rangePopup"));
     setProperty("card", true);
     setAccessibleName(tr("Range of the colours"));
-    fitted_->setObjectName(QStringLiteral("rangeFitted"));
-    usual_->setObjectName(QStringLiteral("rangeUsual"));
-    typed_->setObjectName(QStringLiteral("rangeTyped"));
-    complaint_->setProperty("muted", true);
     complaint_->setWordWrap(true);
     auto* ends = new QHBoxLayout;
     addWidgets(ends, {typed_, low_});
@@ -124,13 +120,13 @@ class RangePopup : public QFrame {
   }
 
   ScaleLegend scale_;
-  QRadioButton* fitted_ = new QRadioButton(tr("&Fitted to what is shown"));
-  QRadioButton* usual_ = new QRadioButton;
-  QRadioButton* typed_ = new QRadioButton(tr("F&ixed:"));
+  QRadioButton* fitted_ = named(new QRadioButton(tr("&Fitted to what is shown")), "rangeFitted");
+  QRadioButton* usual_ = named(new QRadioButton, "rangeUsual");
+  QRadioButton* typed_ = named(new QRadioButton(tr("F&ixed:")), "rangeTyped");
   QDoubleSpinBox* low_ = makeEnd(QStringLiteral("rangeLow"), tr("Lower end of the range"));
   QDoubleSpinBox* high_ = makeEnd(QStringLiteral("rangeHigh"), tr("Upper end of the range"));
   QLabel* unit_ = new QLabel;
-  QLabel* complaint_ = new QLabel(tr("The lower end must be below the upper one."));
+  QLabel* complaint_ = styledAs(new QLabel(tr("The lower end must be below the upper one.")), "muted");
 };
 
 }  // namespace hexoderm

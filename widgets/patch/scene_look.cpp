@@ -33,7 +33,7 @@ SceneColors sceneColors(Theme theme) {
     scene.link_line.at(k) = toRgb(linkStroke(static_cast<EdgeQuality>(k), theme).color);
     scene.quality.at(k) = mixed(scene.link_line.at(k), black, calm);
   }
-  scene.neutral = toRgb(colors.muted_link);
+  scene.neutral = toRgb(colors.excluded_link);
   // What is not known stands back.
   scene.no_data = mixed(scene.neutral, scene.background_bottom, 0.45);
   scene.scale = sequentialMap(theme);

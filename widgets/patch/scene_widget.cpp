@@ -1,5 +1,6 @@
 #include "widgets/patch/scene_widget.h"
 
+#include "widgets/controls/panel_parts.h"
 #include "widgets/patch/opengl_info.h"
 #include "widgets/scene/edge_smoothing.h"
 
@@ -49,9 +50,7 @@ SceneWidget::SceneWidget(bool by_processor, QWidget* parent)
   interactor->Initialize();
   interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
   interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
-  at_rest_.setSingleShot(true);
-  at_rest_.setInterval(kRest_ms);
-  connect(&at_rest_, &QTimer::timeout, this, [this] {
+  setUpOnce(at_rest_, kRest_ms, this, [this] {
     smooths_ = true;
     if (isVisible()) render_soon_.start();
   });

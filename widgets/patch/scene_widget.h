@@ -13,7 +13,6 @@
 #include <QOpenGLExtraFunctions>
 #include <QTimer>
 #include <QWidget>
-#include <utility>
 
 namespace hexoderm {
 

@@ -5,7 +5,6 @@
 #include "widgets/controls/selection.h"
 
 #include <QString>
-#include <memory>
 #include <optional>
 #include <vector>
 

@@ -12,7 +12,6 @@
 #include <QPixmap>
 #include <QString>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>

@@ -1,26 +1,39 @@
 #pragma once
 
+#include "hexoderm/base/units.h"
 #include "hexoderm/skin/patch_on_link.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/controls/selection.h"
+#include "widgets/controls/typed_values.h"
 #include "widgets/robot/place_words.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/tables/joint_table.h"
+#include "widgets/tables/joint_table_view.h"
 #include "widgets/verify/verify_section.h"
 
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QResizeEvent>
+#include <QScrollBar>
+#include <QSignalBlocker>
+#include <QSpinBox>
 #include <QStringList>
+#include <QVBoxLayout>
 #include <QWidget>
+#include <algorithm>
 #include <array>
-#include <optional>
+#include <limits>
 #include <vector>
 
-class QCheckBox;
-class QComboBox;
-class QDoubleSpinBox;
-class QListWidget;
-class QPushButton;
-class QSpinBox;
-
 namespace hexoderm {
-
-class JointTableView;
 
 /// Work for the step that may take a while.
 enum class PlaceWork { Robot, Joints, Links, Places };
@@ -69,16 +82,89 @@ class PlacePanel : public QWidget {
 
  public:
   /// `selection` must outlive the panel: its cell is proposed for known points.
-  explicit PlacePanel(Selection* selection, QWidget* parent = nullptr);
+  explicit PlacePanel(Selection* selection, QWidget* parent = nullptr)
+      : QWidget(parent),
+        selection_(selection),
+        robot_(
+            new VerifySection(tr("Robot"), tr("Which robot wears the skin?"), QStringLiteral("placeRobot"), selection)),
+        joints_(new VerifySection(tr("Joint angles"), tr("How did it stand in each pose?"),
+                                  QStringLiteral("placeJoints"), selection)),
+        patch_(new VerifySection(tr("Patch"), tr("Which patch is to be placed?"), QStringLiteral("placePatch"),
+                                 selection)),
+        link_(new VerifySection(tr("Link"), tr("Which link saw the same gravity?"), QStringLiteral("placeLink"),
+                                selection)),
+        known_(new VerifySection(tr("What is known"), tr("What says where on the link it lies?"),
+                                 QStringLiteral("placeKnown"), selection)),
+        places_(new VerifySection(tr("Place"), tr("Where on the link can it lie?"), QStringLiteral("placePlaces"),
+                                  selection)) {
+    setObjectName(QStringLiteral("placePanel"));
+    buildRobot();
+    buildJoints();
+    buildPatch();
+    buildLink();
+    buildKnown();
+    buildPlaces();
+    auto* layout = spaced(new QVBoxLayout(this), {0, 4, 0, 4}, 16);
+    for (VerifySection* part : {robot_, joints_, patch_, link_, known_, places_}) layout->addWidget(part);
+    layout->addStretch();
+    for (const PlaceWork work : {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places}) {
+      connect(section(work), &VerifySection::cancelled, this, [this, work] { emit cancelRequested(work); });
+    }
+    connect(selection_, &Selection::changed, this, [this] {
+      if (!selection_->cell()) return;
+      const int cell = static_cast<int>(selection_->cell()->value());
+      point_cell_->setValue(cell);
+      from_cell_->setValue(cell);
+    });
+    setStand({});
+  }
 
-  void setStand(const PlaceStand& stand);
+  void setStand(const PlaceStand& stand) {
+    stand_ = stand;
+    const bool can = stand.why_not.isEmpty();
+    robot_->setSentence(can ? stand.robot : VerifySentence{Tone::Neutral, stand.why_not});
+    joints_->setSentence(stand.joints);
+    link_->setSentence(stand.link_says);
+    places_->setSentence(stand.place_says);
+    fillChoices(pose_, stand.poses, stand.pose);
+    fillChoices(patch_list_, stand.patches, stand.patch);
+    QStringList links;
+    for (const LinkChoice& choice : stand.links) {
+      links << (choice.link == stand.link ? QStringLiteral("✓ ") + choice.text : choice.text);
+    }
+    fillChoices(links_, links);
+    fillChoices(place_list_, stand.places);
+    std::vector<PlaceStand::Choice> all{{0, tr("open")}};
+    for (const QString& link : stand.other_links) all.push_back({static_cast<quint32>(all.size()), link});
+    fillChoices(other_link_, all, static_cast<quint32>(stand.other_links.indexOf(stand.link) + 1));
+    showSheet();
+    showKnown();
+    refreshControls();
+  }
+
   [[nodiscard]] const PlaceStand& stand() const { return stand_; }
-  void setRunning(PlaceWork work, bool running);
-  [[nodiscard]] bool isRunning(PlaceWork work) const;
+
+  void setRunning(PlaceWork work, bool running) {
+    section(work)->setRunning(running);
+    refreshControls();
+  }
+
+  [[nodiscard]] bool isRunning(PlaceWork work) const { return section(work)->isRunning(); }
+
   /// A point that was picked in 3D: it goes into the fields, and waits there to be added. Ends picking.
-  void proposePoint(const Eigen::Vector3d& x_l);
+  void proposePoint(const Eigen::Vector3d& x_l) {
+    for (std::size_t k = 0; k < point_mm_.size(); ++k) {
+      point_mm_.at(k)->setValue(toMillimetres(x_l[static_cast<Eigen::Index>(k)]));
+    }
+    pick_->setChecked(false);
+    add_point_->setFocus(Qt::OtherFocusReason);
+  }
+
   /// Moving by keys has ended without this panel.
-  void endMoving();
+  void endMoving() {
+    const QSignalBlocker blocker(move_);
+    move_->setChecked(false);
+  }
 
  signals:
   void robotWanted();
@@ -107,21 +193,246 @@ class PlacePanel : public QWidget {
   void pickingChanged(bool picking);
 
  protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Leave && watched == place_list_->viewport()) emit placePreviewed(-1);
+    return QWidget::eventFilter(watched, event);
+  }
 
  private:
-  void buildRobot();
-  void buildJoints();
-  void buildPatch();
-  void buildLink();
-  void buildKnown();
-  void buildPoint();
-  void buildDistance();
-  void buildPlaces();
-  [[nodiscard]] VerifySection* section(PlaceWork work) const;
-  void showSheet();
-  void showKnown();
-  void refreshControls();
+  void buildRobot() {
+    choose_robot_ = namedField(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
+    package_ = namedField(new QPushButton(tr("Package folder…")), "placePackage",
+                          tr("Say in which folder a package of the robot is"));
+    package_->setToolTip(tr("Where a URDF says package://NAME/…: the folder called NAME"));
+    remove_robot_ = namedField(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
+    robot_->addRow({choose_robot_, remove_robot_});
+    robot_->addRow({package_});
+    connect(choose_robot_, &QPushButton::clicked, this, &PlacePanel::robotWanted);
+    connect(package_, &QPushButton::clicked, this, &PlacePanel::packageWanted);
+    connect(remove_robot_, &QPushButton::clicked, this, &PlacePanel::robotRemoved);
+  }
+
+  void buildJoints() {
+    choose_joints_ =
+        namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
+    joints_->addRow({choose_joints_});
+    connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
+    joint_table_ = new JointTable(this);
+    joint_view_ = namedField(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
+    joint_view_->setToolTip(
+        tr("Type angles, or paste a block of them from a spreadsheet; an empty cell is an angle that is not known"));
+    joints_->addRow()->addWidget(joint_view_, 1);
+    connect(joint_table_, &JointTable::typed, this, &PlacePanel::anglesTyped);
+    connect(joint_table_, &JointTable::refused, this, &PlacePanel::anglesRefused);
+    pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
+    makeNarrow(pose_);
+    QHBoxLayout* pose = joints_->addRow();
+    pose->addWidget(labelFor(pose_, tr("Drawn in")));
+    pose->addWidget(pose_, 1);
+    connect(pose_, qOverload<int>(&QComboBox::activated), this,
+            [this] { emit poseChosen(pose_->currentData().toUInt()); });
+  }
+
+  void buildPatch() {
+    patch_list_ = namedField(new QComboBox, "placePatchList", tr("Patch that is placed"));
+    makeNarrow(patch_list_);
+    patch_->addRow()->addWidget(patch_list_, 1);
+    connect(patch_list_, qOverload<int>(&QComboBox::activated), this,
+            [this] { emit patchChosen(patch_list_->currentData().toUInt()); });
+  }
+
+  void buildLink() {
+    links_ = choiceList("placeLinks", tr("Links that the patch may be on"));
+    links_->setToolTip(tr("Return or a click puts the patch on a link"));
+    link_->addRow()->addWidget(links_, 1);
+    const auto choose = [this](QListWidgetItem* item) {
+      const int row = links_->row(item);
+      if (row >= 0 && static_cast<std::size_t>(row) < stand_.links.size()) {
+        emit linkChosen(stand_.links[static_cast<std::size_t>(row)].link);
+      }
+    };
+    connect(links_, &QListWidget::itemClicked, this, choose);
+    connect(links_, &QListWidget::itemActivated, this, choose);
+    other_link_ = namedField(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
+    makeNarrow(other_link_);
+    QHBoxLayout* row = link_->addRow();
+    row->addWidget(labelFor(other_link_, tr("On link")));
+    row->addWidget(other_link_, 1);
+    connect(other_link_, qOverload<int>(&QComboBox::activated), this,
+            [this] { emit linkChosen(other_link_->currentIndex() > 0 ? other_link_->currentText() : QString()); });
+  }
+
+  void buildKnown() {
+    by_surface_ = new QCheckBox(tr("Its back lies on the link's surface"));
+    by_surface_->setObjectName(QStringLiteral("placeBySurface"));
+    known_->addRow()->addWidget(by_surface_);
+    connect(by_surface_, &QCheckBox::clicked, this, &PlacePanel::surfaceChosen);
+    known_list_ = choiceList("placeKnownList", tr("Known points and distances"));
+    known_->addRow()->addWidget(known_list_, 1);
+    remove_known_ =
+        namedField(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
+    known_->addRow({remove_known_});
+    connect(known_list_, &QListWidget::currentRowChanged, this, &PlacePanel::refreshControls);
+    connect(remove_known_, &QPushButton::clicked, this, [this] {
+      const int picked = known_list_->currentRow();
+      const int points = static_cast<int>(stand_.known.points.size());
+      if (picked < 0) return;
+      // The button goes with the last one; the keyboard had better not end up in a field, where Ctrl+Z means the field.
+      if (known_list_->count() == 1) by_surface_->setFocus(Qt::OtherFocusReason);
+      if (picked < points) {
+        emit pointRemoved(picked);
+      } else {
+        emit distanceRemoved(picked - points);
+      }
+    });
+    buildPoint();
+    buildDistance();
+  }
+
+  void buildPoint() {
+    point_cell_ = cellField("placePointCell", tr("Cell at the known point"));
+    point_mm_ = {lengthField("placePointX", tr("x of the point in the link's frame"), -kMaxLength_mm),
+                 lengthField("placePointY", tr("y of the point in the link's frame"), -kMaxLength_mm),
+                 lengthField("placePointZ", tr("z of the point in the link's frame"), -kMaxLength_mm)};
+    point_sigma_mm_ = lengthField("placePointSigma", tr("Uncertainty of the point, 1 sigma"), 0.1);
+    point_sigma_mm_->setValue(1);
+    pick_ = namedField(new QPushButton(tr("Pick in 3D")), "placePick", tr("Pick the point on the robot"));
+    pick_->setCheckable(true);
+    pick_->setToolTip(tr("The next click on the robot fills in x, y and z"));
+    add_point_ = namedField(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
+    QGridLayout* grid = gridOfFields();
+    addField(grid, 0, 0, tr("Cell"), point_cell_);
+    addField(grid, 0, 2, tr("±"), point_sigma_mm_);
+    const std::array<QString, 3> axes = {tr("x"), tr("y"), tr("z")};
+    for (int axis = 0; axis < 3; ++axis) {
+      QDoubleSpinBox* field = point_mm_.at(static_cast<std::size_t>(axis));
+      addField(grid, 1 + axis, 0, axes.at(static_cast<std::size_t>(axis)), field, 3);
+    }
+    known_->addRow()->addLayout(grid);
+    for (QPushButton* button : {pick_, add_point_}) known_->addRow({button});
+    connect(pick_, &QPushButton::toggled, this, &PlacePanel::pickingChanged);
+    connect(add_point_, &QPushButton::clicked, this, [this] {
+      KnownPoint point;
+      point.cell = CellId(static_cast<std::uint32_t>(point_cell_->value()));
+      for (std::size_t k = 0; k < point_mm_.size(); ++k) {
+        point.x_l[static_cast<Eigen::Index>(k)] = point_mm_.at(k)->value() * kMillimetre;
+      }
+      point.sigma_m = point_sigma_mm_->value() * kMillimetre;
+      emit pointAdded(point);
+    });
+  }
+
+  void buildDistance() {
+    from_cell_ = cellField("placeFromCell", tr("Cell of this patch"));
+    to_cell_ = cellField("placeToCell", tr("Cell of another patch on the same link"));
+    distance_mm_ = lengthField("placeDistance", tr("Measured distance of the two cells"), 0);
+    distance_mm_->setSpecialValueText(tr("not measured"));
+    letTypingReplaceSpecialText(distance_mm_);
+    distance_sigma_mm_ = lengthField("placeDistanceSigma", tr("Uncertainty of the distance, 1 sigma"), 0.1);
+    distance_sigma_mm_->setValue(1);
+    add_distance_ =
+        namedField(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
+    QGridLayout* grid = gridOfFields();
+    addField(grid, 0, 0, tr("Cell"), from_cell_);
+    addField(grid, 0, 2, tr("to"), to_cell_);
+    addField(grid, 1, 0, tr("is"), distance_mm_, 3);
+    addField(grid, 2, 0, tr("±"), distance_sigma_mm_, 3);
+    known_->addRow()->addLayout(grid);
+    known_->addRow({add_distance_});
+    connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &PlacePanel::refreshControls);
+    connect(add_distance_, &QPushButton::clicked, this, [this] {
+      emit distanceAdded({CellId(static_cast<std::uint32_t>(from_cell_->value())),
+                          CellId(static_cast<std::uint32_t>(to_cell_->value())), distance_mm_->value() * kMillimetre,
+                          distance_sigma_mm_->value() * kMillimetre});
+    });
+  }
+
+  void buildPlaces() {
+    place_list_ = choiceList("placePlaceList", tr("Places that fit, the best first"));
+    place_list_->setToolTip(tr("Pointing at a place shows it; Return or a click takes it"));
+    place_list_->setMouseTracking(true);
+    place_list_->viewport()->installEventFilter(this);
+    places_->addRow()->addWidget(place_list_, 1);
+    remove_place_ =
+        namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
+    move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
+    move_->setCheckable(true);
+    look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
+    places_->addRow({move_});
+    places_->addRow({look_, remove_place_});
+    connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
+    connect(look_, &QPushButton::clicked, this, &PlacePanel::lookWanted);
+    connect(place_list_, &QListWidget::itemEntered, this,
+            [this](QListWidgetItem* item) { emit placePreviewed(place_list_->row(item)); });
+    connect(place_list_, &QListWidget::currentRowChanged, this, &PlacePanel::placePreviewed);
+    const auto choose = [this](QListWidgetItem* item) { emit placeChosen(place_list_->row(item)); };
+    connect(place_list_, &QListWidget::itemClicked, this, choose);
+    connect(place_list_, &QListWidget::itemActivated, this, choose);
+    connect(remove_place_, &QPushButton::clicked, this, &PlacePanel::placeRemoved);
+  }
+
+  [[nodiscard]] VerifySection* section(PlaceWork work) const { return ofEnum(work, {robot_, joints_, link_, places_}); }
+
+  void showSheet() {
+    joint_table_->setSheet(stand_.sheet);
+    const int rows = joint_table_->rowCount();
+    joint_view_->setVisible(rows > 0 && joint_table_->columnCount() > 0);
+    const int shown = std::min(rows, kMaxRowsInList);
+    joint_view_->setFixedHeight(joint_view_->horizontalHeader()->sizeHint().height() +
+                                shown * joint_view_->verticalHeader()->defaultSectionSize() +
+                                joint_view_->horizontalScrollBar()->sizeHint().height() +
+                                2 * joint_view_->frameWidth());
+  }
+
+  void showKnown() {
+    QStringList known;
+    for (const KnownPoint& point : stand_.known.points) known << pointText(point);
+    for (const KnownDistance& distance : stand_.known.distances) known << distanceText(distance);
+    fillChoices(known_list_, known);
+    by_surface_->setChecked(stand_.known.by_surface && stand_.has_surface);
+    const bool has_link = !stand_.link.isEmpty();
+    const bool says_nothing = known.isEmpty() && !by_surface_->isChecked();
+    if (!stand_.known_fault.isEmpty()) {
+      known_->setSentence({Tone::Bad, stand_.known_fault});
+    } else if (has_link && says_nothing) {
+      known_->setSentence(
+          {Tone::Caution, tr("Nothing says where on the link the patch lies: use the surface, or add a point.")});
+    } else if (has_link && !stand_.has_surface) {
+      known_->setSentence({Tone::Neutral, tr("Nothing describes the surface of this link; points and distances can say "
+                                             "where the patch lies.")});
+    } else {
+      known_->setSentence({});
+    }
+  }
+
+  void refreshControls() {
+    const bool can = stand_.why_not.isEmpty();
+    const bool has_robot = can && stand_.has_robot;
+    const bool has_link = has_robot && !stand_.link.isEmpty();
+    choose_robot_->setEnabled(can && !isRunning(PlaceWork::Robot));
+    choose_robot_->setToolTip(can ? tr("The robot's description; a file can also be dropped onto the window")
+                                  : stand_.why_not);
+    package_->setVisible(has_robot);
+    remove_robot_->setVisible(can && stand_.names_robot);
+    enable(choose_joints_, has_robot, tr("A line for each pose, a column for each joint, with its unit"),
+           tr("Choose the robot first: its joints have the names of the columns"));
+    joints_->setVisible(has_robot);
+    patch_->setVisible(has_robot);
+    link_->setVisible(has_robot);
+    known_->setVisible(has_link);
+    places_->setVisible(has_link);
+    enable(by_surface_, stand_.has_surface, {}, tr("The robot's description holds no surface of this link"));
+    remove_known_->setVisible(known_list_->count() > 0);
+    enable(remove_known_, known_list_->currentRow() >= 0, {}, tr("Pick a point or a distance in the list first"));
+    enable(add_distance_, distance_mm_->value() > 0, {}, tr("Type the measured distance first"));
+    remove_place_->setVisible(stand_.is_placed);
+    enable(look_, stand_.is_drawn, tr("The picture shows the cells of the patch with their numbers"),
+           tr("The patch is drawn once its place is known"));
+    enable(move_, stand_.can_move,
+           tr("In the picture the mouse pulls the patch over the link at any time; this is for the keyboard"),
+           tr("A patch is moved over the surface of its link, which has to be known and used"));
+    if (!has_link && pick_->isChecked()) pick_->setChecked(false);
+  }
 
   Selection* selection_;
   PlaceStand stand_;
@@ -158,6 +469,93 @@ class PlacePanel : public QWidget {
   QPushButton* remove_place_;
   QPushButton* move_;
   QPushButton* look_;
+
+  static constexpr int kMaxRowsInList = 6;
+  static constexpr double kMaxLength_mm = 1e5;
+
+  template <class Widget>
+  static Widget* namedField(Widget* widget, const char* object_name, const QString& accessible_name) {
+    setNames(widget, QLatin1String(object_name), accessible_name);
+    return widget;
+  }
+
+  static QDoubleSpinBox* lengthField(const char* object_name, const QString& accessible_name, double least_mm) {
+    auto* field = namedField(new QDoubleSpinBox, object_name, accessible_name);
+    field->setRange(least_mm, kMaxLength_mm);
+    field->setDecimals(1);
+    field->setSuffix(PlacePanel::tr(" mm"));
+    field->setGroupSeparatorShown(false);
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    return field;
+  }
+
+  static QSpinBox* cellField(const char* object_name, const QString& accessible_name) {
+    auto* field = namedField(new QSpinBox, object_name, accessible_name);
+    field->setRange(1, std::numeric_limits<int>::max());
+    field->setGroupSeparatorShown(false);
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    return field;
+  }
+
+  /// As high as its rows, up to so many; how high they are depends on its width, as long texts are wrapped. Reckoned
+  /// here, because asking the list would lay it out again while it is being laid out.
+  class ChoiceList : public QListWidget {
+   public:
+    void fitHeight() {
+      constexpr int kBesideText = 4;  // on both sides of a text, in all styles about so much
+      const int width = QListWidget::width() - 2 * (frameWidth() + kBesideText);
+      int height = 2 * frameWidth();
+      for (int row = 0; row < std::min(count(), kMaxRowsInList); ++row) {
+        const QRect text = fontMetrics().boundingRect({0, 0, width, 0}, Qt::TextWordWrap, item(row)->text());
+        height += text.height() + kBesideText;
+      }
+      setFixedHeight(height);
+    }
+
+   protected:
+    void resizeEvent(QResizeEvent* event) override {
+      QListWidget::resizeEvent(event);
+      if (event->size().width() != event->oldSize().width()) fitHeight();
+    }
+  };
+
+  static ChoiceList* choiceList(const char* object_name, const QString& accessible_name) {
+    auto* list = namedField(new ChoiceList, object_name, accessible_name);
+    list->setWordWrap(true);
+    list->setResizeMode(QListView::Adjust);
+    list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list->setTabKeyNavigation(false);
+    list->hide();
+    return list;
+  }
+
+  /// Rows stay as they are, with the one that is picked, where the texts are the same.
+  static void fillChoices(QListWidget* list, const QStringList& texts) {
+    bool same = list->count() == texts.size();
+    for (int row = 0; same && row < texts.size(); ++row) same = list->item(row)->text() == texts[row];
+    list->setVisible(!texts.isEmpty());
+    if (same) return;
+    const QSignalBlocker blocker(list);
+    const int current = list->currentRow();
+    list->clear();
+    list->addItems(texts);
+    if (current >= 0 && current < texts.size()) list->setCurrentRow(current);
+    static_cast<ChoiceList*>(list)->fitHeight();
+  }
+
+  static void fillChoices(QComboBox* box, const std::vector<PlaceStand::Choice>& choices, quint32 current) {
+    const QSignalBlocker blocker(box);
+    bool same = box->count() == static_cast<int>(choices.size());
+    for (int k = 0; same && k < box->count(); ++k) {
+      const PlaceStand::Choice& choice = choices[static_cast<std::size_t>(k)];
+      same = box->itemText(k) == choice.text && box->itemData(k).toUInt() == choice.id;
+    }
+    if (!same) {
+      box->clear();
+      for (const PlaceStand::Choice& choice : choices) box->addItem(choice.text, choice.id);
+    }
+    box->setCurrentIndex(box->findData(current));
+  }
 };
 
 }  // namespace hexoderm

@@ -9,7 +9,6 @@
 #include <vtkPointData.h>
 #include <vtkUnsignedCharArray.h>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <unordered_map>
 #include <unordered_set>

@@ -9,7 +9,6 @@
 #include <vtkSmartPointer.h>
 #include <initializer_list>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace hexoderm {
@@ -30,7 +29,7 @@ EnlargedShape makeEllipsoids(const SceneContent& content);
 vtkSmartPointer<vtkPolyData> makePatchFrames(const SceneContent& content, const std::vector<std::size_t>& patches);
 
 /// Every link from centre to centre through both ports, in the colour of its class and dotted, dashed, solid or double
-/// as in the graph; muted links grey, dashed and crossed.
+/// as in the graph; excluded links grey, dashed and crossed.
 vtkSmartPointer<vtkPolyData> makeLinkLines(const SceneContent& content, const SceneColors& colors);
 /// The links of the shortest-path tree alone.
 vtkSmartPointer<vtkPolyData> makeTreeLines(const SceneContent& content);

@@ -11,7 +11,6 @@
 #include <vtkRenderer.h>
 #include <vtkTexture.h>
 
-#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>

@@ -3,7 +3,6 @@
 #include "hexoderm/base/units.h"
 #include "widgets/scene/polydata_builder.h"
 
-#include <array>
 #include <cmath>
 
 namespace hexoderm {

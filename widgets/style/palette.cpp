@@ -33,7 +33,7 @@ Colors makeColors(Theme theme) {
       .scene_bottom = either(0xDFE5EC, 0x1E242B),
       .cell_fill = either(0xFFFFFF, 0x1E2227),
       .selection = either(0x000000, 0xFFFFFF),
-      .muted_link = QColor(unusedColor(background)),
+      .excluded_link = QColor(unusedColor(background)),
       .tree_band = either(0xD9DDE3, 0x444D59),
       .axis = {either(0xC2410C, 0xF4894A), either(0x00806F, 0x7BE0C8), either(0x3B3FB0, 0x6C9CFF)},
   };

@@ -44,7 +44,7 @@ struct Colors {
   QColor scene_bottom;
   QColor cell_fill;  ///< hexagons of the graph
   QColor selection;  ///< outline of what is picked: black or white, not a hue
-  QColor muted_link;
+  QColor excluded_link;
   QColor tree_band;            ///< under the links of the shortest paths
   std::array<QColor, 3> axis;  ///< x, y, z: as red, green and blue as who can't tell red from green allows
 

@@ -22,7 +22,7 @@ struct SceneColors {
   Rgb background_bottom{};
   std::array<Rgb, 4> quality{};    ///< colour of a front face, by EdgeQuality
   std::array<Rgb, 4> link_line{};  ///< colour of a link's line, by EdgeQuality
-  Rgb neutral{};                   ///< colour of muted links and of frames
+  Rgb neutral{};                   ///< colour of excluded links and of frames
   Rgb no_data{};                   ///< colour of a front face without data
   ColorMap scale;                  ///< from small to large
   ColorMap signed_scale;           ///< from below zero to above it

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QFont>
 #include <QFontInfo>
-#include <algorithm>
 #include <array>
 #include <utility>
 

@@ -35,7 +35,7 @@ class ReconstructionTable : public ColumnTable {
   std::shared_ptr<const Reconstruction> reconstruction_;
 };
 
-/// Base of those with a row for each link, muted links included.
+/// Base of those with a row for each link, excluded links included.
 class LinkRowTable : public ReconstructionTable {
   Q_OBJECT
 

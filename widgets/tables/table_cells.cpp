@@ -41,7 +41,7 @@ QVariant rawDegrees(std::optional<double> angle_rad) {
   return angle_rad ? QVariant(toDegrees(*angle_rad)) : QVariant();
 }
 
-QVariant mutedForeground() { return QBrush(colors().text_muted); }
+QVariant excludedForeground() { return QBrush(colors().text_muted); }
 
 QIcon usedMark(bool used) {
   return drawMark([used](QPainter& painter) {

@@ -16,7 +16,7 @@ QVariant alignment(bool figure);
 /// kRawRole of an angle; invalid where it is not known.
 QVariant rawDegrees(std::optional<double> angle_rad);
 /// Colour of a row that is not used.
-QVariant mutedForeground();
+QVariant excludedForeground();
 
 /// A tick for what is used, a dash for what is not.
 QIcon usedMark(bool used);

@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/csv.h"
 #include "hexoderm/base/text.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/tables/table_roles.h"
 
 #include <QAbstractItemModel>
@@ -59,12 +60,10 @@ QByteArray tableAsCsv(const QAbstractItemModel& model) {
 }
 
 CsvActions::CsvActions(QAbstractItemView* view, QString name) : QObject(view), view_(view), name_(std::move(name)) {
-  auto* copy = new QAction(tr("Copy as CSV"), view);
-  copy->setObjectName(QStringLiteral("actionCopyCsv"));
+  auto* copy = named(new QAction(tr("Copy as CSV"), view), "actionCopyCsv");
   copy->setShortcut(QKeySequence::Copy);
   copy->setShortcutContext(Qt::WidgetShortcut);
-  auto* save = new QAction(tr("Save as CSV…"), view);
-  save->setObjectName(QStringLiteral("actionSaveCsv"));
+  auto* save = named(new QAction(tr("Save as CSV…"), view), "actionSaveCsv");
   connect(copy, &QAction::triggered, this,
           [this] { QApplication::clipboard()->setText(QString::fromUtf8(tableAsCsv(*view_->model()))); });
   connect(save, &QAction::triggered, this, [this] { emit saveRequested(name_, tableAsCsv(*view_->model())); });

@@ -137,8 +137,7 @@ void drawBins(const std::vector<ValueBin>& bins, QPainter& painter, const QwtSca
 QWidget* titled(const QString& title, QwtPlot* plot) {
   auto* box = new QWidget;
   auto* layout = spaced(new QVBoxLayout(box), {0, 0, 0, 0}, 2);
-  auto* label = new QLabel(title);
-  label->setProperty("muted", true);
+  auto* label = styledAs(new QLabel(title), "muted");
   label->setWordWrap(true);
   layout->addWidget(label);
   layout->addWidget(plot, 1);

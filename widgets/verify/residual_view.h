@@ -1,24 +1,38 @@
 #pragma once
 
 #include "hexoderm/solve/result/reconstruction.h"
+#include "widgets/coloring/coloring.h"
+#include "widgets/controls/panel_parts.h"
+#include "widgets/controls/selection.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/style/palette.h"
+#include "widgets/tables/row_picking.h"
+#include "widgets/tables/sorted_table.h"
+#include "widgets/tables/table_roles.h"
+#include "widgets/verify/residual_plots.h"
+#include "widgets/verify/residual_table.h"
+#include "widgets/words/formatting.h"
 
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolButton>
+#include <QVBoxLayout>
 #include <QWidget>
+#include <algorithm>
 #include <memory>
-#include <optional>
 
 namespace hexoderm {
 
-class ResidualPlots;
-class ResidualTable;
-class Selection;
-class SortedTable;
-
+/// The end of the scale is the same as in the graph and in the 3D view.
+inline double residualScaleEnd_deg() { return coloringRow(Coloring::Residual).range->high; }
 /// Viridis for a residual, on the scale that all views share, and what can be read on it.
-QColor residualColor(double residual_deg);
+inline QColor residualColor(double residual_deg) { return viridis(residual_deg / residualScaleEnd_deg()); }
 
 /// Residuals of each link in each pose, as a matrix of numbers and colours, or as plots. Picking a cell of the matrix
 /// picks the link, and its pose by posePicked(); a link that is picked elsewhere is picked here.
@@ -27,28 +41,117 @@ class ResidualView : public QWidget {
 
  public:
   /// `selection` must outlive the view.
-  explicit ResidualView(Selection* selection, QWidget* parent = nullptr);
-  ~ResidualView() override;
+  explicit ResidualView(Selection* selection, QWidget* parent = nullptr)
+      : QWidget(parent),
+        selection_(selection),
+        table_(new ResidualTable(this)),
+        sorted_(new SortedTable(table_, this)),
+        plots_(new ResidualPlots(selection)),
+        legend_(makeLegend()) {
+    setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
+    matrix_->setModel(sorted_);
+    matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
+    matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
+    dressTable(matrix_);
+    matrix_->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    matrix_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    matrix_->horizontalHeader()->setHighlightSections(true);
+    // In the order of the links until a header is clicked: "All" brings the worst to the top.
+    SortedTable::enableIn(matrix_);
+    addWidgets(pages_, {matrix_, plots_});
 
-  void setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction);
+    auto* layout = spaced(new QVBoxLayout(this), {0, 0, 0, 0}, 0);
+    layout->addWidget(buildHeader());
+    layout->addWidget(pages_, 1);
+
+    onPicked(matrix_, this, [this](const QModelIndex& picked) { pickCurrent(picked); });
+    connect(matrix_, &QTableView::clicked, this, &ResidualView::pickCurrent);
+    connect(plots_, &ResidualPlots::posePicked, this, &ResidualView::posePicked);
+    connect(selection_, &Selection::changed, this, &ResidualView::showPicked);
+    fitColumns();
+    showMatrix();
+  }
+
+  void setReconstruction(const std::shared_ptr<const Reconstruction>& reconstruction) {
+    following_ = true;
+    table_->setReconstruction(reconstruction);
+    plots_->setReconstruction(reconstruction);
+    following_ = false;
+    showPicked();
+  }
+
   /// The matrix, for the actions on tables.
   [[nodiscard]] QTableView* matrix() const { return matrix_; }
 
  public slots:
-  void showMatrix();
-  void showPlots();
+  void showMatrix() {
+    matrix_button_->setChecked(true);
+    pages_->setCurrentWidget(matrix_);
+    legend_->show();
+  }
+
+  void showPlots() {
+    plots_button_->setChecked(true);
+    pages_->setCurrentWidget(plots_);
+    legend_->hide();
+  }
 
  signals:
   void posePicked(hexoderm::PoseId pose);
 
  protected:
-  void changeEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange) fitColumns();
+  }
 
  private:
-  QWidget* buildHeader();
-  void pickCurrent(const QModelIndex& current);
-  void showPicked();
-  void fitColumns();
+  QWidget* buildHeader() {
+    auto* header = new QWidget;
+    auto* row = spaced(new QHBoxLayout(header), {6, 2, 8, 2});
+    auto* group = new QButtonGroup(this);
+    matrix_button_ = addChoice(group, row, "residualMatrixButton", tr("Matrix"));
+    matrix_button_->setToolTip(tr("Every link in every pose, as numbers and colours"));
+    plots_button_ = addChoice(group, row, "residualPlotsButton", tr("Plots"));
+    plots_button_->setToolTip(tr("Residuals by pose, by link, and beside what was predicted"));
+    connect(matrix_button_, &QToolButton::clicked, this, &ResidualView::showMatrix);
+    connect(plots_button_, &QToolButton::clicked, this, &ResidualView::showPlots);
+    row->addStretch();
+    row->addWidget(legend_);
+    return header;
+  }
+
+  void pickCurrent(const QModelIndex& current) {
+    if (following_ || !current.isValid()) return;
+    const QModelIndex source = sorted_->mapToSource(current);
+    const LinkEstimate& link = table_->linkAt(source.row());
+    following_ = true;
+    selection_->selectLink(link.source, link.target);
+    following_ = false;
+    if (const std::optional<PoseId> pose = table_->poseAt(source.column())) emit posePicked(*pose);
+  }
+
+  void showPicked() {
+    if (following_) return;
+    const std::optional<Selection::Link> link = selection_->link();
+    const int row = link ? table_->rowOf(link->first, link->second) : -1;
+    following_ = true;
+    if (row < 0) {
+      matrix_->clearSelection();
+    } else {
+      const int column = std::max(0, matrix_->currentIndex().column());
+      matrix_->setCurrentIndex(sorted_->mapFromSource(table_->index(row, column)));
+    }
+    following_ = false;
+  }
+
+  void fitColumns() {
+    // All alike, and wide enough for a heading: measuring a thousand columns takes too long.
+    ensurePolished();
+    const QFontMetrics metrics = fontMetrics();
+    matrix_->horizontalHeader()->setDefaultSectionSize(metrics.horizontalAdvance(tr("Pose %1").arg(1000)) + 22);
+    matrix_->verticalHeader()->setDefaultSectionSize(metrics.height() + 6);
+  }
 
   Selection* selection_;
   ResidualTable* table_;
@@ -60,6 +163,64 @@ class ResidualView : public QWidget {
   QToolButton* plots_button_ = nullptr;
   QWidget* legend_;
   bool following_ = false;  ///< the matrix is being moved to what was picked elsewhere
+
+  /// Paints the cells itself: a thousand columns leave no time for a style sheet.
+  class ResidualMatrixDelegate : public QStyledItemDelegate {
+   public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+
+    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+      const Colors& colors = Colors::of(option.palette);
+      const QVariant residual = index.data(kRawRole);
+      const QRect cell = option.rect.adjusted(0, 0, -1, -1);
+      QColor text = colors.text_muted;
+      if (residual.isValid()) {
+        const QColor ground = residualColor(residual.toDouble());
+        painter->fillRect(cell, ground);
+        text = textOn(ground);
+      }
+      painter->setPen(text);
+      painter->setFont(option.font);
+      painter->drawText(cell.adjusted(2, 0, -5, 0), Qt::AlignRight | Qt::AlignVCenter,
+                        index.data(Qt::DisplayRole).toString());
+      if (!(option.state & QStyle::State_Selected)) return;
+      // Seen on every colour: the outline of what is picked, with one of the ground inside of it.
+      painter->setPen(QPen(colors.selection, 2));
+      painter->drawRect(cell.adjusted(1, 1, -1, -1));
+      painter->setPen(QPen(colors.panel, 1));
+      painter->drawRect(cell.adjusted(2, 2, -3, -3));
+    }
+  };
+
+  /// The colours of the matrix, painted as finely as the screen that they are on shows them.
+  class ColorBar : public QWidget {
+   public:
+    [[nodiscard]] QSize sizeHint() const override { return {96, fontMetrics().height() / 2}; }
+
+   protected:
+    void paintEvent(QPaintEvent* /*event*/) override {
+      QPainter painter(this);
+      const double pixel = 1 / devicePixelRatioF();
+      for (double x = 0; x < width(); x += pixel) {
+        painter.fillRect(QRectF(x, 0, pixel, height()), viridis(x / (width() - pixel)));
+      }
+    }
+  };
+
+  /// The colours with what they mean.
+  static QWidget* makeLegend() {
+    auto* legend = new QWidget;
+    legend->setAccessibleName(
+        ResidualView::tr("Colours: residual from 0 to %1 degrees and more").arg(residualScaleEnd_deg()));
+    legend->setToolTip(legend->accessibleName());
+    auto* bar = new ColorBar;
+    bar->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    auto* left = new QLabel(ResidualView::tr("Residual 0°"));
+    auto* right = new QLabel(ResidualView::tr("≥ %1°").arg(residualScaleEnd_deg()));
+    for (QLabel* label : {left, right}) label->setProperty("muted", true);
+    addWidgets(spaced(new QHBoxLayout(legend), {0, 0, 0, 0}, 6), {left, bar, right});
+    return legend;
+  }
 };
 
 }  // namespace hexoderm

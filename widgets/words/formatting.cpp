@@ -134,7 +134,7 @@ QString longLinkName(const LinkEstimate& link) {
       .arg(link.target.port.value());
 }
 
-QString mutedBecause(const LinkEstimate& link) {
+QString excludedBecause(const LinkEstimate& link) {
   if (link.used) return {};
   return link.muted_by ? words(descriptionOf(*link.muted_by).meaning) : Words::tr("It is not used.");
 }
@@ -155,7 +155,7 @@ QString findingToolTip(const Finding& finding) {
   return asToolTip(words(finding.message), {words(kind.meaning), QString::fromStdString(std::string(kind.name))});
 }
 
-QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {
+QString excludedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {
   if (!link.used && link.muted_by) {
     const auto isAboutIt = [&](const Finding& finding) {
       return finding.code == *link.muted_by && finding.cells.size() >= 2 && finding.ports.size() >= 2 &&
@@ -165,7 +165,7 @@ QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& l
     const auto found = std::ranges::find_if(reconstruction.findings, isAboutIt);
     if (found != reconstruction.findings.end()) return words(found->message);
   }
-  return mutedBecause(link);
+  return excludedBecause(link);
 }
 
 QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& link) {
@@ -173,7 +173,7 @@ QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& li
   if (link.used) {
     lines << (link.in_tree ? Words::tr("Used, on the shortest paths to the origin") : Words::tr("Used"));
   } else {
-    lines << Words::tr("Muted: %1").arg(mutedBecause(reconstruction, link));
+    lines << Words::tr("Muted: %1").arg(excludedBecause(reconstruction, link));
   }
   if (!link.hasMetrics()) return asToolTip(longLinkName(link), lines);
   const Eigen::Vector3d& values = link.singular_values;

@@ -26,15 +26,15 @@ QString shortLinkName(LinkEnd a, LinkEnd b);
 inline QString shortLinkName(const LinkEstimate& link) { return shortLinkName(link.source, link.target); }
 /// "Link 5 · port 2 — 9 · port 3".
 QString longLinkName(const LinkEstimate& link);
-/// Why a link is muted, one sentence; empty if it is not.
-QString mutedBecause(const LinkEstimate& link);
+/// Why a link is excluded, one sentence; empty if it is not.
+QString excludedBecause(const LinkEstimate& link);
 
 QString severityWord(Severity severity);
 /// "cells 5, 9; pose 3"; an en dash if the finding is about the whole skin.
 QString placeText(const Finding& finding);
 
 /// The finding's words on why a link is not used; its code's where there is none.
-QString mutedBecause(const Reconstruction& reconstruction, const LinkEstimate& link);
+QString excludedBecause(const Reconstruction& reconstruction, const LinkEstimate& link);
 
 /// Several lines for a tooltip (rich text). Those of links and cells have every figure that is known.
 QString linkToolTip(const Reconstruction& reconstruction, const LinkEstimate& link);

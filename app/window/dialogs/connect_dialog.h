@@ -39,25 +39,18 @@ class ConnectDialog : public QDialog {
     setObjectName(QStringLiteral("connectDialog"));
     setWindowTitle(tr("Connect to a skin"));
     setModal(true);
-    auto* title = new QLabel(tr("Where is the skin?"), this);
-    title->setProperty("headline", true);
-    setNames(kind_, QStringLiteral("connectKind"), tr("Kind of connection"));
+    auto* title = styledAs(new QLabel(tr("Where is the skin?"), this), "headline");
     for (const Kind& kind : kKinds) kind_->addItem(tr(kind.name));
-    setNames(address_, QStringLiteral("connectAddress"), tr("Address"));
     address_->setEditable(true);
     constexpr int kLongestPath = 4096;
     address_->lineEdit()->setMaxLength(kLongestPath);
     address_->setInsertPolicy(QComboBox::NoInsert);
     address_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    hint_->setProperty("muted", true);
     hint_->setWordWrap(true);
-    continue_->setObjectName(QStringLiteral("connectContinue"));
     continue_->setText(tr("Add the poses to the session that is open, %1").arg(open_session));
     continue_->setChecked(!open_session.isEmpty());
     continue_->setVisible(!open_session.isEmpty());
-    setNames(path_, QStringLiteral("connectPath"), tr("File that the poses are kept in"));
     path_->setText(newSessionPath(folder));
-    note_->setObjectName(QStringLiteral("connectNote"));
     note_->setWordWrap(true);
     note_->setMinimumHeight(3 * fontMetrics().lineSpacing());
     note_->setTextFormat(Qt::PlainText);
@@ -265,14 +258,14 @@ class ConnectDialog : public QDialog {
     return {};
   }
 
-  QComboBox* kind_ = new QComboBox(this);
-  QComboBox* address_ = new QComboBox(this);
+  QComboBox* kind_ = named(new QComboBox(this), "connectKind", tr("Kind of connection"));
+  QComboBox* address_ = named(new QComboBox(this), "connectAddress", tr("Address"));
   QPushButton* browse_recording_ = new QPushButton(tr("Browse…"), this);
-  QLabel* hint_ = new QLabel(this);
-  QCheckBox* continue_ = new QCheckBox(this);
-  QLineEdit* path_ = new QLineEdit(this);
+  QLabel* hint_ = styledAs(new QLabel(this), "muted");
+  QCheckBox* continue_ = named(new QCheckBox(this), "connectContinue");
+  QLineEdit* path_ = named(new QLineEdit(this), "connectPath", tr("File that the poses are kept in"));
   QPushButton* browse_path_ = new QPushButton(tr("Browse…"), this);
-  QLabel* note_ = new QLabel(this);
+  QLabel* note_ = named(new QLabel(this), "connectNote");
   QPushButton* connect_;
 };
 

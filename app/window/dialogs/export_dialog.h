@@ -54,20 +54,15 @@ class ExportDialog : public QDialog {
     }
     setWindowTitle(tr("Export the calibration"));
     setModal(true);
-
-    setNames(kinds_, QStringLiteral("exportKinds"), tr("One file or several"));
     kinds_->addTab(tr("One &file"));
     kinds_->addTab(tr("&Package"));
     kinds_->setExpanding(false);
     kinds_->setDrawBase(false);
-    auto* browse = new QPushButton(tr("Browse…"), this);
-    browse->setObjectName(QStringLiteral("exportBrowse"));
+    auto* browse = named(new QPushButton(tr("Browse…"), this), "exportBrowse");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     export_ = addPrimaryButton(buttons, tr("Export"), "exportButton");
     summary_->setWordWrap(true);
-    summary_->setProperty("muted", true);
     note_->setWordWrap(true);
-    note_->setObjectName(QStringLiteral("exportNote"));
     note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
 
     auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
@@ -76,7 +71,6 @@ class ExportDialog : public QDialog {
     addWidgets(lists_, {makeFormatList(), package_});
     lists_->setFixedWidth(kListWidth);
     summary_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    setNames(preview_, QStringLiteral("packagePreview"), tr("What each file will hold"));
     addWidgets(contents_, {summary_, preview_});
     layout->addWidget(kinds_, 0, 0, 1, 3);
     layout->addWidget(lists_, 1, 0, 2, 1);
@@ -84,7 +78,6 @@ class ExportDialog : public QDialog {
     auto* choices = new QVBoxLayout;
     addWidgets(choices, {makePatchRow(), makeOptions()});
     layout->addLayout(choices, 2, 1, 1, 2);
-    setNames(container_, QStringLiteral("exportContainer"), tr("Folder or archive"));
     container_->addItems({tr("Folder"), tr("Zip archive")});
     auto* where = new QHBoxLayout;
     where->addStretch(1);
@@ -98,8 +91,6 @@ class ExportDialog : public QDialog {
     layout->setColumnStretch(1, 1);
     layout->setRowStretch(1, 1);
     resize(780, 520);
-
-    setNames(path_, QStringLiteral("exportPath"), tr("File to write"));
     path_->setText(suggestion + kCalibrationExtension);
     extension_ = kCalibrationExtension;
     connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
@@ -173,7 +164,6 @@ class ExportDialog : public QDialog {
   }
 
   QWidget* makeFormatList() {
-    setNames(formats_, QStringLiteral("exportFormats"), tr("Format"));
     formats_->addItem(tr("Calibration"));
     for (const ExportFormatDescription& format : exportFormats()) formats_->addItem(toQString(format.name).toUpper());
     return formats_;
@@ -246,7 +236,6 @@ class ExportDialog : public QDialog {
   }
 
   QWidget* makePatchRow() {
-    setNames(patch_, QStringLiteral("exportPatch"), tr("Patch"));
     patch_->setToolTip(tr("How the patches lie to each other is not known, so that a file with one frame holds one"));
     patch_row_ = new QWidget;
     auto* form = spaced(new QFormLayout(patch_row_), {0, 0, 0, 0});
@@ -410,15 +399,15 @@ class ExportDialog : public QDialog {
   }
 
   std::shared_ptr<const Reconstruction> reconstruction_;
-  QTabBar* kinds_ = new QTabBar(this);
+  QTabBar* kinds_ = named(new QTabBar(this), "exportKinds", tr("One file or several"));
   QStackedWidget* lists_ = new QStackedWidget(this);
   QStackedWidget* contents_ = new QStackedWidget(this);
-  QListWidget* formats_ = new QListWidget(this);
+  QListWidget* formats_ = named(new QListWidget(this), "exportFormats", tr("Format"));
   PackageList* package_ = new PackageList(this);
-  QLabel* summary_ = new QLabel(this);
-  QTextBrowser* preview_ = new QTextBrowser(this);
-  QComboBox* container_ = new QComboBox(this);
-  QLineEdit* path_ = new QLineEdit(this);
+  QLabel* summary_ = styledAs(new QLabel(this), "muted");
+  QTextBrowser* preview_ = named(new QTextBrowser(this), "packagePreview", tr("What each file will hold"));
+  QComboBox* container_ = named(new QComboBox(this), "exportContainer", tr("Folder or archive"));
+  QLineEdit* path_ = named(new QLineEdit(this), "exportPath", tr("File to write"));
   ExportOptions options_;
   /// The row of each of exportOptions().
   struct OptionRow {
@@ -427,8 +416,8 @@ class ExportDialog : public QDialog {
   };
   std::vector<OptionRow> option_rows_;
   QWidget* patch_row_ = nullptr;
-  QComboBox* patch_ = new QComboBox(this);
-  QLabel* note_ = new QLabel(this);
+  QComboBox* patch_ = named(new QComboBox(this), "exportPatch", tr("Patch"));
+  QLabel* note_ = named(new QLabel(this), "exportNote");
   QPushButton* export_;
   QString extension_;
 };

@@ -29,12 +29,10 @@ class PackageDialog : public QDialog {
       : QDialog(parent), files_(files), path_(path) {
     setObjectName(QStringLiteral("packageDialog"));
     setWindowTitle(tr("Export package"));
-    sentence_->setObjectName(QStringLiteral("packageSentence"));
     setPlainParagraph(sentence_);
     sentence_->setText(tr("Writing %1 …").arg(QDir::toNativeSeparators(path)));
     progress_->setAccessibleName(tr("Progress"));
     progress_->setRange(0, 0);
-    setNames(list_, QStringLiteral("packageFiles"), tr("Files of the package"));
     list_->setHeaderLabels({tr("File"), tr("Size"), tr("What it holds")});
     list_->setRootIsDecorated(false);
     list_->setUniformRowHeights(true);
@@ -127,9 +125,9 @@ class PackageDialog : public QDialog {
   ResultFiles& files_;
   QString path_;
   bool is_running_ = true;
-  QLabel* sentence_ = new QLabel(this);
+  QLabel* sentence_ = named(new QLabel(this), "packageSentence");
   QProgressBar* progress_ = new QProgressBar(this);
-  QTreeWidget* list_ = new QTreeWidget(this);
+  QTreeWidget* list_ = named(new QTreeWidget(this), "packageFiles", tr("Files of the package"));
   QPushButton* cancel_;
   QPushButton* open_;
 };

@@ -10,7 +10,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace hexoderm {
@@ -30,8 +29,7 @@ class ReportTitleDialog : public QDialog {
         notes_(new QPlainTextEdit(title.notes)) {
     setObjectName(QStringLiteral("reportTitleDialog"));
     setWindowTitle(tr("Title of the report"));
-    auto* headline = new QLabel(tr("What is the report about?"), this);
-    headline->setProperty("headline", true);
+    auto* headline = styledAs(new QLabel(tr("What is the report about?"), this), "headline");
     auto* remark =
         new QLabel(tr("Stands at the head of every report on %1, and is remembered for it. Empty fields are left "
                       "out.")

@@ -2,6 +2,7 @@
 
 #include "app/window/files/recent_files.h"
 #include "app/window/files/recovery.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QLabel>
 #include <QVBoxLayout>
@@ -20,8 +21,7 @@ class RecentSessions : public QWidget {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 8, 0, 0);
     layout->addWidget(new RecoveryList(unsaved));
-    auto* title = new QLabel(tr("Recent").toUpper());
-    title->setProperty("caption", true);
+    auto* title = styledAs(new QLabel(tr("Recent").toUpper()), "caption");
     layout->addWidget(title);
     constexpr std::size_t kShown = 3;
     constexpr int kTitleCharacters = 22;

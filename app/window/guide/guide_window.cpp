@@ -163,8 +163,7 @@ GuideWindow::GuideWindow(QWidget* parent, const QString& first_page)
   resize(980, 720);
   browser_->setFocus();
   showPage(pages().contains(first_page) ? first_page : pages().front());
-  dress_anew_.setSingleShot(true);
-  connect(&dress_anew_, &QTimer::timeout, this, [this] {
+  setUpOnce(dress_anew_, 0, this, [this] {
     const int at = browser_->verticalScrollBar()->value();
     browser_->reload();
     browser_->verticalScrollBar()->setValue(at);

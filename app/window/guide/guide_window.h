@@ -3,7 +3,6 @@
 #include <QColor>
 #include <QLabel>
 #include <QLineEdit>
-#include <QList>
 #include <QListWidget>
 #include <QStringList>
 #include <QTimer>

@@ -16,6 +16,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <QVariant>
+#include <algorithm>
 
 namespace hexoderm {
 namespace {
@@ -84,38 +85,39 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
     bringToFront(open);
     return;
   }
-  auto* dialog = new QDialog(parent);
-  dialog->setObjectName(QStringLiteral("keysDialog"));
+  auto* dialog = named(new QDialog(parent), "keysDialog");
   dialog->setWindowTitle(KeysDialog::tr("Keys"));
-  auto* search = new QLineEdit;
-  search->setObjectName(QStringLiteral("keysSearch"));
+  auto* search = named(new QLineEdit, "keysSearch");
   search->setPlaceholderText(KeysDialog::tr("Search for a key or for what it does"));
   search->setAccessibleName(search->placeholderText());
   search->setClearButtonEnabled(true);
 
-  auto* list = new QTreeWidget(dialog);
-  setNames(list, QStringLiteral("keysList"), KeysDialog::tr("Keys"));
+  auto* list = named(new QTreeWidget(dialog), "keysList", KeysDialog::tr("Keys"));
   list->setColumnCount(2);
   list->setHeaderHidden(true);
   list->setRootIsDecorated(false);
   list->setItemsExpandable(false);
-  list->setWordWrap(true);
   list->setFrameShape(QFrame::NoFrame);
   list->setSelectionMode(QAbstractItemView::NoSelection);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QFont bold = dialog->font();
   bold.setWeight(QFont::DemiBold);
   int rows = 0;
+  int widest = 0;
   for (const KeyGroup& group : keysOf(menus)) {
     auto* head = new QTreeWidgetItem(list, {group.title.toUpper()});
     head->setFirstColumnSpanned(true);
-    for (const KeyLine& line : group.lines) (new QTreeWidgetItem(head, {line.keys, line.what}))->setFont(0, bold);
+    for (const KeyLine& line : group.lines) {
+      auto* item = new QTreeWidgetItem(head, {line.keys, line.what});
+      item->setFont(0, bold);
+      item->setToolTip(1, line.what);  // where the screen is too narrow for it
+      widest = std::max(widest, dialog->fontMetrics().horizontalAdvance(line.what));
+    }
     rows += 1 + head->childCount();
   }
   list->expandAll();
   list->resizeColumnToContents(0);
-  auto* nothing = new QLabel(KeysDialog::tr("No key is like that."));
-  nothing->setProperty("muted", true);
+  auto* nothing = styledAs(new QLabel(KeysDialog::tr("No key is like that.")), "muted");
   nothing->hide();
   QObject::connect(search, &QLineEdit::textChanged, dialog,
                    [list, nothing](const QString& text) { nothing->setHidden(showOnly(*list, text.trimmed())); });
@@ -125,7 +127,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   addWidgets(layout, {search, nothing});
   layout->addWidget(list, 1);
   layout->addWidget(buttons);
-  const int width = list->columnWidth(0) + 44 * dialog->fontMetrics().averageCharWidth() + 80;
+  const int width = list->columnWidth(0) + widest + 100;
   const int height = (rows + 6) * (dialog->fontMetrics().height() + 6);
   dialog->resize(QSize(width, height).boundedTo(0.85 * parent->screen()->availableSize()));
   search->setFocus();

@@ -45,7 +45,7 @@ class WelcomePanel : public QScrollArea {
       button->setAction(action);
       button->setFocusPolicy(Qt::StrongFocus);
       if (action == choices.front()) button->setProperty("primary", true);
-      auto* purpose = makeLabel(purposeOf(*action), "muted");
+      auto* purpose = makeLabel(WindowActions::purposeOf(*action), "muted");
       const int row = rows->rowCount();
       button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
       rows->addWidget(button, row, 0);
@@ -58,8 +58,7 @@ class WelcomePanel : public QScrollArea {
     list->addWidget(recent_list);
     list->addStretch(1);
 
-    auto* content = new QWidget;
-    content->setObjectName(QStringLiteral("welcomeContent"));
+    auto* content = named(new QWidget, "welcomeContent");
     auto* sides = spaced(new QHBoxLayout(content), {28, 36, 28, 24});
     sides->addStretch(1);
     sides->addWidget(column, 100);

@@ -2,8 +2,15 @@
 
 #include "app/window/files/session_paths.h"
 #include "app/window/log/event_recorder.h"
+#include "app/window/presenters/capture_presenter.h"
+#include "app/window/presenters/coloring_presenter.h"
+#include "app/window/presenters/compare_presenter.h"
 #include "app/window/presenters/connection_presenter.h"
+#include "app/window/presenters/export_presenter.h"
 #include "app/window/presenters/file_presenter.h"
+#include "app/window/presenters/finding_presenter.h"
+#include "app/window/presenters/mark_presenter.h"
+#include "app/window/presenters/picked_commands.h"
 #include "app/window/presenters/picture_presenter.h"
 #include "app/window/presenters/place_presenter.h"
 #include "app/window/presenters/presenters.h"
@@ -91,17 +98,17 @@ struct MainWindow::Presenters {
   FilePresenter files{parts};
   PicturePresenter pictures{parts, files};
   ConnectionPresenter connection{parts, files};
-  const std::unique_ptr<Presenter> capture = makeCapturePresenter(parts, results);
+  CapturePresenter capture{parts, results};
   ReviewPresenter review{parts, files, results};
-  const std::unique_ptr<Presenter> coloring = makeColoringPresenter(parts, results);
-  const std::unique_ptr<Presenter> picked = makePickedCommands(parts, review);
-  const std::unique_ptr<Presenter> findings = makeFindingPresenter(parts, results, review);
+  ColoringPresenter coloring{parts, results};
+  PickedCommands picked{parts, review};
+  FindingPresenter findings{parts, results, review};
   Verification verification;
-  const std::unique_ptr<Presenter> exports = makeExportPresenter(parts, verification, files);
+  ExportPresenter exports{parts, verification, files};
   Placing placing;
   PlacePresenter place{parts, placing};
-  const std::unique_ptr<Presenter> compare = makeComparePresenter(parts, verification);
-  const std::unique_ptr<Presenter> marks = makeMarkPresenter(parts);
+  ComparePresenter compare{parts, verification};
+  MarkPresenter marks{parts};
   // As one reads the window: from the top, and from left to right.
   FocusOrder keyboard{{parts.views.banner, parts.views.messages, parts.views.live_strip, parts.views.work_notice,
                        parts.views.steps, parts.panels.centralWidget(), &parts.panels.graph(), &parts.panels.coverage(),
@@ -160,13 +167,11 @@ void MainWindow::layOut() {
 }
 
 QWidget* MainWindow::makeTopBar() {
-  auto* app_name = new QLabel(QStringLiteral("Hexoderm"));
-  app_name->setObjectName(QStringLiteral("appName"));
+  auto* app_name = named(new QLabel(QStringLiteral("Hexoderm")), "appName");
   views_->session_name->setObjectName(QStringLiteral("sessionName"));
   views_->session_name->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   actions_.fillMenuBar(views_->menus, panels_->toggleActions());
-  auto* top_bar = new QFrame;
-  top_bar->setObjectName(QStringLiteral("topBar"));
+  auto* top_bar = named(new QFrame, "topBar");
   auto* layout = spaced(new QHBoxLayout(top_bar), {0, 0, 0, 1}, 0);  // the line below
   addWidgets(layout, {app_name, views_->menus});
   layout->addWidget(views_->session_name, 1);
@@ -204,13 +209,13 @@ void MainWindow::connectRefresh() {
 
 void MainWindow::refresh() {
   // Which actions can be used, before what asks them: steps, what is said aloud, and offers beside findings.
-  presenters_->picked->refresh();
+  presenters_->picked.refresh();
   refreshGuide(presenters_->parts);
   refreshSpeech(presenters_->parts);
-  presenters_->findings->refresh();
+  presenters_->findings.refresh();
   // Of the others none asks what another has done.
   presenters_->results.refresh();
-  presenters_->marks->refresh();
+  presenters_->marks.refresh();
   presenters_->place.refresh();
   refreshStatus(presenters_->parts);
   presenters_->connection.refresh();
@@ -258,8 +263,7 @@ void MainWindow::scrollIfScreenIsSmall() {
   const QSize least = minimumSizeHint();
   const QSize room = roomOnScreen(*this);
   if (least.width() <= room.width() && least.height() <= room.height()) return;
-  auto* area = new QScrollArea;
-  area->setObjectName(QStringLiteral("workArea"));
+  auto* area = named(new QScrollArea, "workArea");
   area->setFrameShape(QFrame::NoFrame);
   area->setFocusPolicy(Qt::NoFocus);
   area->setWidgetResizable(true);

@@ -43,7 +43,7 @@ class ConnectionPresenter : public Presenter {
   }
 
   /// Shows where the connection stands. Cheap: may be called 20 times a second.
-  void refresh() override {
+  void refresh() {
     const LiveSource& live = controller.liveSession().source();
     late_frames_shown_ = live.hold().late_frames;
     const SourceStatus& status = live.status();

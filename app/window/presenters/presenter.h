@@ -40,10 +40,6 @@ struct WindowParts {
 /// Wires the session and the views, as far as one duty goes that has a state of its own; the others are functions
 /// (presenters.h).
 class Presenter : public QObject, protected WindowParts {
- public:
-  /// Shows what has changed, once a turn of the event loop at most. The actions know already which of them can be used.
-  virtual void refresh() {}
-
  protected:
   explicit Presenter(const WindowParts& parts) : WindowParts(parts) {}
 };

@@ -2,13 +2,9 @@
 
 #include "app/window/presenters/presenter.h"
 
-#include <memory>
-
 namespace hexoderm {
 
 class FilePresenter;
-class ResultPresenter;
-class ReviewPresenter;
 class ThemePresenter;
 class Verification;
 
@@ -25,25 +21,11 @@ void connectHelp(const WindowParts& parts);
 /// Connects the commands that change how something is seen, which nothing but views know.
 void connectViewCommands(const WindowParts& parts);
 
-// Show what has changed, as Presenter::refresh().
+// Show what has changed, once a turn of the event loop at most. The actions know already which of them can be used.
 
 void refreshGuide(const WindowParts& parts);
 void refreshSpeech(const WindowParts& parts);
 void refreshStatus(const WindowParts& parts);
 void refreshHistory(const WindowParts& parts);
-
-// The presenters with a state of their own that nothing else speaks to.
-
-[[nodiscard]] std::unique_ptr<Presenter> makeCapturePresenter(const WindowParts& parts, const ResultPresenter& results);
-[[nodiscard]] std::unique_ptr<Presenter> makeColoringPresenter(const WindowParts& parts,
-                                                               const ResultPresenter& results);
-[[nodiscard]] std::unique_ptr<Presenter> makePickedCommands(const WindowParts& parts, const ReviewPresenter& review);
-[[nodiscard]] std::unique_ptr<Presenter> makeFindingPresenter(const WindowParts& parts, const ResultPresenter& results,
-                                                              ReviewPresenter& review);
-[[nodiscard]] std::unique_ptr<Presenter> makeExportPresenter(const WindowParts& parts, const Verification& verification,
-                                                             FilePresenter& files);
-[[nodiscard]] std::unique_ptr<Presenter> makeComparePresenter(const WindowParts& parts,
-                                                              const Verification& verification);
-[[nodiscard]] std::unique_ptr<Presenter> makeMarkPresenter(const WindowParts& parts);
 
 }  // namespace hexoderm

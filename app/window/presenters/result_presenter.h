@@ -1,16 +1,18 @@
 #pragma once
 
+#include "app/window/guide/guide.h"
+#include "app/window/session/session_controller.h"
 #include "hexoderm/solve/result/reconstruction.h"
+#include "widgets/controls/heavy_turn.h"
 
 #include <QObject>
 #include <QString>
 #include <functional>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace hexoderm {
-
-class SessionController;
 
 /// Hands the reconstruction to every view that shows it, and as long as there is none, what is being done for one. This
 /// is the only place where a view of the window gets them.
@@ -19,7 +21,18 @@ class ResultPresenter : public QObject {
 
  public:
   /// `controller` outlives the presenter, as every view that is added does.
-  explicit ResultPresenter(SessionController& controller);
+  explicit ResultPresenter(SessionController& controller) : controller_(controller) {
+    connect(&controller_, &SessionController::reconstructionChanged, this, &ResultPresenter::handOut);
+    connect(&controller_, &SessionController::firstPlacementsChanged, this, [this] {
+      if (!controller_.liveMode().isOn()) handToPictures(pictured());
+    });
+    connect(&controller_.liveMode(), &LiveMode::momentSolved, this, [this](const Result& moment) {
+      if (controller_.liveMode().isOn()) handToPictures(moment);
+    });
+    connect(&controller_.liveMode(), &LiveMode::toggled, this, [this](bool on) {
+      if (!on) handToPictures(pictured());
+    });
+  }
 
   /// The view shows the session's result. Views get it in the order in which they were added.
   template <class View>
@@ -37,8 +50,13 @@ class ResultPresenter : public QObject {
   void addWaiting(View* view) {
     waiting_.push_back([view](const QString& awaited) { view->setAwaited(awaited); });
   }
+
   /// Hands out what is awaited, if that has changed.
-  void refresh();
+  void refresh() {
+    const QString awaited = describeAwaited(controller_);
+    if (std::exchange(awaited_, awaited) == awaited) return;
+    for (const auto& tell : waiting_) tell(awaited);
+  }
 
  signals:
   /// Every view has got the session's new result.
@@ -55,10 +73,25 @@ class ResultPresenter : public QObject {
   static Setter setterOf(View* view) {
     return [view](const Result& result) { view->setReconstruction(result); };
   }
-  void handOut(const Result& result);
-  void handToPictures(const Result& result);
+
+  void handOut(const Result& result) {
+    for (const Receiver& receiver : receivers_) {
+      if (!receiver.is_picture || !controller_.liveMode().isOn()) receiver.set(result);
+    }
+    HeavyTurn::note();
+    emit handedOut();
+  }
+
+  void handToPictures(const Result& result) {
+    for (const Receiver& receiver : receivers_) {
+      if (receiver.is_picture) receiver.set(result);
+    }
+  }
+
   /// What pictures show without live mode.
-  [[nodiscard]] Result pictured() const;
+  [[nodiscard]] Result pictured() const {
+    return controller_.firstPlacements() ? controller_.firstPlacements() : controller_.reconstruction();
+  }
 
   SessionController& controller_;
   std::vector<Receiver> receivers_;

@@ -241,7 +241,8 @@ void ReportPage::linkTable(const std::vector<const LinkEstimate*>& links) {
         {{shortLinkName(*link), known ? qualityWord(link->quality) : noValue(), hundredths(link->knownResidual()),
           hundredths(link->knownSigma()), known ? degreesText(link->bend_rad) : noValue(),
           known ? degreesText(link->twist_rad) : noValue(), known ? degreesText(link->yaw_rad) : noValue(),
-          link->used ? (link->in_tree ? tr("used, in tree") : tr("used")) : tr("muted: %1").arg(mutedBecause(*link))},
+          link->used ? (link->in_tree ? tr("used, in tree") : tr("used"))
+                     : tr("muted: %1").arg(excludedBecause(*link))},
          false});
   }
   table({{tr("Link")},

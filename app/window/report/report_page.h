@@ -4,7 +4,6 @@
 #include "app/window/report/report_blocks.h"
 
 #include <QCoreApplication>
-#include <QStringList>
 #include <vector>
 
 namespace hexoderm {

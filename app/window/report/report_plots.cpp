@@ -25,12 +25,12 @@ constexpr double kTick = 2.5;
 constexpr double kHairline = 0.5;
 constexpr double kScaleBar = 4;
 
-/// 1, 2, 5, 10, 20 ...: at most four steps to the largest count.
-std::size_t countStep(std::size_t largest) {
-  constexpr std::size_t kSteps = 4;
-  for (std::size_t decade = 1;; decade *= 10) {
-    for (const std::size_t step : {1, 2, 5}) {
-      if (step * decade * kSteps >= largest) return step * decade;
+/// 1, 2 or 5 times a power of ten: at most four steps to the largest value.
+double valueStep(double largest) {
+  constexpr double kSteps = 4;
+  for (double decade = std::pow(10.0, std::floor(std::log10(largest / kSteps)));; decade *= 10) {
+    for (const double step : {1.0, 2.0, 5.0}) {
+      if (step * decade * kSteps >= largest * (1 - 1e-9)) return step * decade;
     }
   }
 }
@@ -80,7 +80,7 @@ class HistogramPainter {
         colors_(Colors::of(Theme::Light)) {
     std::size_t largest = 1;
     for (const ValueBin& bin : bins_) largest = std::max(largest, bin.count);
-    step_ = countStep(largest);
+    step_ = static_cast<std::size_t>(std::round(valueStep(static_cast<double>(largest))));
     top_ = step_ * ((largest + step_ - 1) / step_);
     const double left = metrics_.horizontalAdvance(QLocale().toString(static_cast<qulonglong>(top_))) + 6 * point_;
     const double below = 2 * metrics_.height() + (kTick + 3) * point_ + (plot.is_legend ? kScaleBar * point_ : 0);
@@ -195,16 +195,6 @@ class HistogramPainter {
   std::size_t step_ = 1;
   std::size_t top_ = 1;
 };
-
-/// 1, 2 or 5 times a power of ten: at most four steps to the largest value.
-double valueStep(double largest) {
-  constexpr double kSteps = 4;
-  for (double decade = std::pow(10.0, std::floor(std::log10(largest / kSteps)));; decade *= 10) {
-    for (const double step : {1.0, 2.0, 5.0}) {
-      if (step * decade * kSteps >= largest * (1 - 1e-9)) return step * decade;
-    }
-  }
-}
 
 void drawBoxes(const BoxPlot& plot, QPainter& painter, const QRectF& area, double point) {
   const Colors& colors = Colors::of(Theme::Light);

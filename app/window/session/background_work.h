@@ -1,10 +1,14 @@
 #pragma once
 
 #include "app/window/files/job_queue.h"
+#include "widgets/words/words.h"
 
+#include <QMetaObject>
 #include <QObject>
 #include <QStringList>
+#include <exception>
 #include <functional>
+#include <utility>
 
 namespace hexoderm {
 
@@ -18,9 +22,33 @@ class BackgroundWork : public QObject {
 
   /// Runs `work` on the thread, then `finally` and the continuation that `work` returned on the thread of this object.
   /// An exception from `work` becomes failed().
-  void start(const QString& activity, Work work, Continuation finally = {});
+  void start(const QString& activity, Work work, Continuation finally = {}) {
+    activities_.push_back(activity);
+    emit changed();
+    jobs_.add([this, work = std::move(work), finally = std::move(finally)] {
+      Continuation then;
+      try {
+        then = work();
+      } catch (const std::exception& error) {
+        then = [this, message = words(error)] { emit failed(message); };
+      }
+      QMetaObject::invokeMethod(
+          this,
+          [this, then = std::move(then), finally] {
+            activities_.pop_front();
+            if (finally) finally();
+            then();
+            emit changed();
+          },
+          Qt::QueuedConnection);
+    });
+  }
+
   /// The same for a file: isWriting() until it is there.
-  void startWriting(const QString& activity, Work work);
+  void startWriting(const QString& activity, Work work) {
+    ++writing_;
+    start(activity, std::move(work), [this] { --writing_; });
+  }
 
   /// The job that runs, in words; empty if none does.
   [[nodiscard]] QString activity() const { return activities_.isEmpty() ? QString() : activities_.front(); }

@@ -46,16 +46,14 @@ class PreferencesDialog : public QDialog {
       : QDialog(parent), preferences_(preferences) {
     setObjectName(QStringLiteral("preferencesDialog"));
     setWindowTitle(tr("Preferences"));
-    auto* tabs = new QTabWidget(this);
-    setNames(tabs, QStringLiteral("preferencesTabs"), tr("Groups of preferences"));
+    auto* tabs = named(new QTabWidget(this), "preferencesTabs", tr("Groups of preferences"));
     tabs->tabBar()->setAccessibleName(tr("Groups of preferences"));
     fillAppearance(addPage(tabs, tr("Appearance")));
     fillCapture(addPage(tabs, tr("Capture")));
     fillSolver(addPage(tabs, tr("Solver")));
     fillFiles(addPage(tabs, tr("Files")));
 
-    auto* note = new QLabel(tr("Changes act at once, except where it says otherwise."));
-    note->setProperty("muted", true);
+    auto* note = styledAs(new QLabel(tr("Changes act at once, except where it says otherwise.")), "muted");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     QPushButton* defaults = buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole);
     defaults->setObjectName(QStringLiteral("preferencesDefaults"));
@@ -94,9 +92,8 @@ class PreferencesDialog : public QDialog {
   static constexpr std::array<double, 6> kTextFactors = {0.9, 1.0, 1.15, 1.3, 1.5, 2.0};
   /// Sentences over the whole width, under a control or at the end of a page.
   static QLabel* addText(QFormLayout* form, const QString& text, int below = 0) {
-    auto* label = new QLabel(text);
+    auto* label = styledAs(new QLabel(text), "muted");
     label->setWordWrap(true);
-    label->setProperty("muted", true);
     label->setContentsMargins(0, 0, 0, below);
     form->addRow(label);
     return label;
@@ -181,8 +178,7 @@ class PreferencesDialog : public QDialog {
     bindLimit(makeNumber(form, "preferenceHold", tr("&Hold for"), 0.2, 1.5, 0.1, QStringLiteral("s"),
                          tr("How long it must be still before samples are taken.")),
               &StillnessOptions::hold_s, 1);
-    auto* samples = new QSpinBox;
-    samples->setObjectName(QStringLiteral("preferenceSamples"));
+    auto* samples = named(new QSpinBox, "preferenceSamples");
     samples->setRange(0, 5000);
     samples->setSingleStep(50);
     samples->setSpecialValueText(tr("automatic"));
@@ -235,12 +231,10 @@ class PreferencesDialog : public QDialog {
   void fillFiles(QFormLayout* form) {
     auto* field = new QWidget;
     auto* row = spaced(new QHBoxLayout(field), {0, 0, 0, 0});
-    auto* folder = new QLineEdit;
-    folder->setObjectName(QStringLiteral("preferenceFolder"));
+    auto* folder = named(new QLineEdit, "preferenceFolder");
     folder->setPlaceholderText(tr("the folder of the last file"));
     folder->setClearButtonEnabled(true);
-    auto* browse = new QPushButton(tr("&Browse…"));
-    browse->setObjectName(QStringLiteral("preferenceBrowse"));
+    auto* browse = named(new QPushButton(tr("&Browse…")), "preferenceBrowse");
     browse->setAutoDefault(false);
     row->addWidget(folder, 1);
     row->addWidget(browse);
@@ -265,8 +259,7 @@ class PreferencesDialog : public QDialog {
 
   QComboBox* makeChoice(QFormLayout* form, const char* name, const QString& label, const QStringList& choices,
                         const QString& why) {
-    auto* box = new QComboBox;
-    box->setObjectName(QLatin1String(name));
+    auto* box = named(new QComboBox, name);
     box->addItems(choices);
     addRow(form, label, box, why);
     return box;
@@ -274,8 +267,7 @@ class PreferencesDialog : public QDialog {
 
   QDoubleSpinBox* makeNumber(QFormLayout* form, const char* name, const QString& label, double low, double high,
                              double step, const QString& unit, const QString& why) {
-    auto* box = new QDoubleSpinBox;
-    box->setObjectName(QLatin1String(name));
+    auto* box = named(new QDoubleSpinBox, name);
     box->setRange(low, high);
     box->setSingleStep(step);
     box->setDecimals(step < 0.1 ? 2 : 1);
@@ -287,8 +279,7 @@ class PreferencesDialog : public QDialog {
   }
 
   QCheckBox* makeSwitch(QFormLayout* form, const char* name, Switch which, const QString& label, const QString& why) {
-    auto* box = new QCheckBox(label);
-    box->setObjectName(QLatin1String(name));
+    auto* box = named(new QCheckBox(label), name);
     box->setAccessibleDescription(why);
     form->addRow(box);
     addWhy(form, why);

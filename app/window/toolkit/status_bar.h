@@ -1,6 +1,7 @@
 #pragma once
 
 #include "widgets/controls/elided_label.h"
+#include "widgets/controls/panel_parts.h"
 
 #include <QLabel>
 #include <QStatusBar>
@@ -42,8 +43,7 @@ class StatusBar : public QStatusBar {
  private:
   /// A long address or message ends in dots instead of widening the window.
   static QLabel* makePart(const char* object_name) {
-    auto* part = new ElidedLabel;
-    part->setObjectName(QLatin1String(object_name));
+    auto* part = named(new ElidedLabel, object_name);
     return part;
   }
 

@@ -91,8 +91,7 @@ class WrappingDelegate : public QStyledItemDelegate {
 }  // namespace
 
 QTableView* makeTable(QAbstractItemModel* model, const char* object_name, const QString& accessible_name) {
-  auto* view = new QTableView;
-  view->setObjectName(QLatin1String(object_name));
+  auto* view = named(new QTableView, object_name);
   view->setAccessibleName(accessible_name);
   view->setModel(model);
   dressRows(view);

@@ -2,6 +2,7 @@
 
 #include "app/window/files/recent_sessions.h"
 #include "app/window/guide/actions.h"
+#include "app/window/guide/guide.h"
 #include "app/window/guide/welcome_panel.h"
 #include "app/window/log/log_view.h"
 #include "app/window/toolkit/result_tables.h"
@@ -33,6 +34,7 @@
 #include <QLocale>
 #include <QMenuBar>
 #include <QTabBar>
+#include <QVBoxLayout>
 
 namespace hexoderm {
 
@@ -46,8 +48,20 @@ struct Views {
     RecentFiles& recent;
     UnsavedSessions& unsaved;
   };
+
   /// `owner`: of what is no widget.
-  Views(const Sources& sources, QObject* owner);
+  Views(const Sources& sources, QObject* owner) : sources_(sources), owner_(owner) {
+    steps->setBody(static_cast<int>(GuideStep::Connect), earlier);
+    auto* checks = new QWidget;
+    auto* checks_layout = new QVBoxLayout(checks);
+    checks_layout->setContentsMargins(0, 0, 0, 0);
+    checks_layout->addWidget(check_list);
+    checks_layout->addWidget(check_findings);
+    steps->setBody(static_cast<int>(GuideStep::Check), checks);
+    steps->setBody(static_cast<int>(GuideStep::Review), review_findings);
+    steps->setBody(static_cast<int>(GuideStep::Capture), capture_panel);
+    steps->setBody(static_cast<int>(GuideStep::Place), place_panel);
+  }
 
  private:
   Sources sources_;

@@ -29,8 +29,8 @@ class WindowLinksTest : public WindowTest {
 
 TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(2)));
-  EXPECT_FALSE(action("actionMuteLink")->isEnabled());
-  EXPECT_TRUE(action("actionMuteLink")->toolTip().contains("Pick a link"));
+  EXPECT_FALSE(action("actionExcludeLink")->isEnabled());
+  EXPECT_TRUE(action("actionExcludeLink")->toolTip().contains("Pick a link"));
   const Selection::Link link = firstLink();
   const QPoint at = graph()->positionOf(link.first, link.second).value();
   QContextMenuEvent event(QContextMenuEvent::Mouse, at, graph()->mapToGlobal(at));
@@ -38,11 +38,11 @@ TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
   EXPECT_EQ(window_->selection().link(), link) << "what was clicked is picked, so that the menu is about it";
   auto* menu = window_->findChild<QMenu*>("graphMenu");
   ASSERT_NE(menu, nullptr);
-  EXPECT_TRUE(menu->actions().contains(action("actionMuteLink")));
+  EXPECT_TRUE(menu->actions().contains(action("actionExcludeLink")));
   QTest::keyClick(menu, Qt::Key_Escape);
-  EXPECT_TRUE(find<QTableView>("linkView")->actions().contains(action("actionMuteLink")));
-  EXPECT_TRUE(action("actionMuteLink")->isEnabled());
-  EXPECT_FALSE(action("actionMuteLink")->autoRepeat()) << "a key that is held must not switch to and fro";
+  EXPECT_TRUE(find<QTableView>("linkView")->actions().contains(action("actionExcludeLink")));
+  EXPECT_TRUE(action("actionExcludeLink")->isEnabled());
+  EXPECT_FALSE(action("actionExcludeLink")->autoRepeat()) << "a key that is held must not switch to and fro";
 
   press(Qt::Key_M);
   ASSERT_TRUE(waitForPatches(2));
@@ -50,7 +50,7 @@ TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
   EXPECT_FALSE(shown(link)->used);
   EXPECT_EQ(shown(link)->muted_by, FindingCode::LinkSetAside);
   EXPECT_EQ(window_->selection().link(), link) << "it stays picked";
-  EXPECT_EQ(action("actionMuteLink")->text().remove('&'), "Take link back");
+  EXPECT_EQ(action("actionExcludeLink")->text().remove('&'), "Take link back");
   auto* table = window_->findChild<LinkTable*>();
   ASSERT_NE(table, nullptr);
   const int row = table->rowOf(link.first, link.second);
@@ -67,8 +67,8 @@ TEST_F(WindowLinksTest, ACalibrationSaysWhyItsLinksStayAsTheyAre) {
   ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
   const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
   window_->selection().selectLink(link.source, link.target);
-  EXPECT_FALSE(action("actionMuteLink")->isEnabled());
-  EXPECT_TRUE(action("actionMuteLink")->toolTip().contains("calibration"));
+  EXPECT_FALSE(action("actionExcludeLink")->isEnabled());
+  EXPECT_TRUE(action("actionExcludeLink")->toolTip().contains("calibration"));
   press(Qt::Key_M);
   EXPECT_EQ(controller().undoStack()->count(), 0);
 }

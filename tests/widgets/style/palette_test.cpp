@@ -59,7 +59,7 @@ TEST_P(PaletteOfTheme, TextIsReadableOnEveryGround) {
 
 TEST_P(PaletteOfTheme, MarksAndStrokesStandOutFromTheirGround) {
   EXPECT_GE(contrast(colors_.caution, colors_.panel), 3);
-  EXPECT_GE(contrast(colors_.muted_link, colors_.panel), 3);
+  EXPECT_GE(contrast(colors_.excluded_link, colors_.panel), 3);
   EXPECT_GE(contrast(colors_.tree_band, colors_.panel), GetParam() == Theme::Dark ? 1.7 : 1.3);
   EXPECT_GE(contrast(colors_.selection, colors_.panel), 15);
   for (const EdgeQuality quality :
@@ -74,7 +74,7 @@ TEST_P(PaletteOfTheme, QualityHasTheColoursThatExportedFilesHave) {
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
     EXPECT_EQ(linkStroke(quality, GetParam()).color, QColor::fromRgb(qualityColor(quality, background)));
   }
-  EXPECT_EQ(colors_.muted_link, QColor::fromRgb(unusedColor(background)));
+  EXPECT_EQ(colors_.excluded_link, QColor::fromRgb(unusedColor(background)));
 }
 
 TEST_P(PaletteOfTheme, AxesAreToldApartByEveryEye) {

@@ -1,9 +1,10 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/package_dialog.h"
 #include "app/window/dialogs/report_title_dialog.h"
 #include "app/window/presenters/file_presenter.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/report/report.h"
 #include "app/window/report/report_pictures.h"
 #include "app/window/report/report_title.h"
@@ -17,7 +18,6 @@
 #include <utility>
 
 namespace hexoderm {
-namespace {
 
 /// Reports and exports: asks what they are to be, once for the title of a session's reports, and has them written.
 class ExportPresenter : public Presenter {
@@ -112,12 +112,5 @@ class ExportPresenter : public Presenter {
   const Verification& verification_;
   FilePresenter& files_;
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makeExportPresenter(const WindowParts& parts, const Verification& verification,
-                                               FilePresenter& files) {
-  return std::make_unique<ExportPresenter>(parts, verification, files);
-}
 
 }  // namespace hexoderm

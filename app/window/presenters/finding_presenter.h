@@ -1,6 +1,7 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"
 #include "hexoderm/solve/result/reconstruction.h"
@@ -16,14 +17,6 @@
 #include <vector>
 
 namespace hexoderm {
-namespace {
-
-bool namesLink(const Finding& finding) { return finding.cells.size() >= 2 && finding.ports.size() >= 2; }
-LinkEnd firstEnd(const Finding& finding) { return {finding.cells[0], finding.ports[0]}; }
-LinkEnd secondEnd(const Finding& finding) { return {finding.cells[1], finding.ports[1]}; }
-
-/// It is about what the skin said of itself, before any pose was measured.
-bool isAboutTheReport(const Finding& finding) { return finding.code <= FindingCode::ContradictsModel; }
 
 /// The cards of findings: says what can be done about each just now, and does it.
 class FindingPresenter : public Presenter {
@@ -47,7 +40,7 @@ class FindingPresenter : public Presenter {
   }
 
   /// What can be done may have changed. The actions have to know already which of them can be used.
-  void refresh() override {
+  void refresh() {
     const LiveSession& live = controller.liveSession();
     const auto now = std::make_tuple(controller.submittedRevision(), live.isLive(), live.litCell(),
                                      actions.show_next_pose->isEnabled());
@@ -66,6 +59,13 @@ class FindingPresenter : public Presenter {
   }
 
  private:
+  static bool namesLink(const Finding& finding) { return finding.cells.size() >= 2 && finding.ports.size() >= 2; }
+  static LinkEnd firstEnd(const Finding& finding) { return {finding.cells[0], finding.ports[0]}; }
+  static LinkEnd secondEnd(const Finding& finding) { return {finding.cells[1], finding.ports[1]}; }
+
+  /// It is about what the skin said of itself, before any pose was measured.
+  static bool isAboutTheReport(const Finding& finding) { return finding.code <= FindingCode::ContradictsModel; }
+
   void showAll() {
     panels.details().show();
     panels.details().raise();
@@ -148,9 +148,9 @@ class FindingPresenter : public Presenter {
     if (!offer(remedy, finding)) return;
     switch (remedy) {
       case FindingRemedy::MuteLink: {
-        const bool muted = controller.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
+        const bool excluded = controller.session()->findMutedLink(firstEnd(finding), secondEnd(finding)) != nullptr;
         selection.selectLink(firstEnd(finding), secondEnd(finding));
-        controller.setLinkMuted(firstEnd(finding), secondEnd(finding), !muted);
+        controller.setLinkMuted(firstEnd(finding), secondEnd(finding), !excluded);
         break;
       }
       case FindingRemedy::DisablePose: {
@@ -181,12 +181,5 @@ class FindingPresenter : public Presenter {
   /// a pose can be taken. While a skin streams, nothing of it changes.
   std::optional<std::tuple<std::uint64_t, bool, std::optional<CellId>, bool>> known_;
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makeFindingPresenter(const WindowParts& parts, const ResultPresenter& results,
-                                                ReviewPresenter& review) {
-  return std::make_unique<FindingPresenter>(parts, results, review);
-}
 
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/result/reconstruction.h"
@@ -14,7 +15,6 @@
 #include <utility>
 
 namespace hexoderm {
-namespace {
 
 /// Shows how the poses are captured: the part in the hand, the pose that is wanted next, the directions that were seen.
 class CapturePresenter : public Presenter {
@@ -175,11 +175,5 @@ class CapturePresenter : public Presenter {
   std::optional<CellId> told_cell_;  ///< the cell that the advice speaks of
   std::uint64_t restarts_ = 0;       ///< of captures, as the recorder last said
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makeCapturePresenter(const WindowParts& parts, const ResultPresenter& results) {
-  return std::make_unique<CapturePresenter>(parts, results);
-}
 
 }  // namespace hexoderm

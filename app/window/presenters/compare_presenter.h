@@ -1,5 +1,6 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
+#include "app/window/presenters/presenter.h"
 #include "app/window/session/verification.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "hexoderm/solve/checks/evaluation.h"
@@ -15,7 +16,6 @@
 #include <vector>
 
 namespace hexoderm {
-namespace {
 
 /// Before and after in a window of its own, made when it is first asked for: the result of now beside the one before
 /// the last change, or beside the calibration that the step Verify compares with.
@@ -105,11 +105,5 @@ class ComparePresenter : public Presenter {
   Source chosen_ = Source::LastChange;
   std::vector<Source> sources_;  ///< as the view lists them
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makeComparePresenter(const WindowParts& parts, const Verification& verification) {
-  return std::make_unique<ComparePresenter>(parts, verification);
-}
 
 }  // namespace hexoderm

@@ -1,13 +1,13 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/presenters/review_presenter.h"
 
 #include <QTableView>
 #include <optional>
 
 namespace hexoderm {
-namespace {
 
 /// Carries out the commands that change the pose, the link or the cell that is picked, or the pose that the assessment
 /// picks.
@@ -16,15 +16,15 @@ class PickedCommands : public Presenter {
 
  public:
   PickedCommands(const WindowParts& parts, const ReviewPresenter& review) : Presenter(parts), review_(review) {
-    views.graph->setLinkActions({actions.mute_link});
+    views.graph->setLinkActions({actions.exclude_link});
     views.graph->setCellActions({actions.light_cell});
     views.tables.link_view->setContextMenuPolicy(Qt::ActionsContextMenu);
-    views.tables.link_view->addAction(actions.mute_link);
+    views.tables.link_view->addAction(actions.exclude_link);
     connect(actions.toggle_pose, &QAction::triggered, this, &PickedCommands::togglePose);
     connect(actions.delete_pose, &QAction::triggered, this, &PickedCommands::removePose);
     connect(actions.recapture, &QAction::triggered, this, [this] { recapturePose(pickedPose()); });
     connect(actions.retake, &QAction::triggered, this, [this] { recapturePose(controller.indexToRetake()); });
-    connect(actions.mute_link, &QAction::triggered, this, &PickedCommands::muteLink);
+    connect(actions.exclude_link, &QAction::triggered, this, &PickedCommands::excludeLink);
     connect(actions.light_cell, &QAction::triggered, this,
             [this](bool on) { controller.liveSession().lightCell(on ? selection.cell() : std::nullopt); });
     connect(&review_, &ReviewPresenter::pickedPoseChanged, this, &PickedCommands::refresh);
@@ -36,7 +36,7 @@ class PickedCommands : public Presenter {
   }
 
   /// Tells the actions of the window which of them can be used with what is picked.
-  void refresh() override {
+  void refresh() {
     actions.refresh(controller, review_.pickedPoseRow(), selection.cell());
     actions.refreshLink(controller, selection.link());
     // An offer to call off a recapture that is done, or called off elsewhere.
@@ -75,7 +75,7 @@ class PickedCommands : public Presenter {
                                 [this] { controller.liveSession().cancelRecapture(); });
   }
 
-  void muteLink() {
+  void excludeLink() {
     const std::optional<Selection::Link> link = selection.link();
     if (!link || !controller.session()) return;
     controller.setLinkMuted(link->first, link->second, !controller.session()->findMutedLink(link->first, link->second));
@@ -84,11 +84,5 @@ class PickedCommands : public Presenter {
   const ReviewPresenter& review_;
   QString recapture_offer_;  ///< the message that offers to call the recapture off
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makePickedCommands(const WindowParts& parts, const ReviewPresenter& review) {
-  return std::make_unique<PickedCommands>(parts, review);
-}
 
 }  // namespace hexoderm

@@ -1,6 +1,8 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/presenter.h"
+#include "widgets/controls/panel_parts.h"
 #include "widgets/controls/view_mark.h"
 #include "widgets/words/formatting.h"
 
@@ -9,7 +11,6 @@
 #include <algorithm>
 
 namespace hexoderm {
-namespace {
 
 /// Says of the pictures when they are not what they usually are (live, without readings, preliminary, from before), and
 /// what is being done while a result takes long.
@@ -20,10 +21,8 @@ class MarkPresenter : public Presenter {
   explicit MarkPresenter(const WindowParts& parts) : Presenter(parts) {
     constexpr int kPatience_ms = 700;
     constexpr int kTick_ms = 500;
-    patience_.setSingleShot(true);
-    patience_.setInterval(kPatience_ms);
     tick_.setInterval(kTick_ms);
-    connect(&patience_, &QTimer::timeout, this, [this] {
+    setUpOnce(patience_, kPatience_ms, this, [this] {
       is_long_ = true;
       tick_.start();
       refresh();
@@ -34,7 +33,7 @@ class MarkPresenter : public Presenter {
     connect(actions.solve_again, &QAction::triggered, &controller, &SessionController::solveAgain);
   }
 
-  void refresh() override {
+  void refresh() {
     refreshWork();
     refreshMarks();
   }
@@ -113,11 +112,5 @@ class MarkPresenter : public Presenter {
   QElapsedTimer since_;
   bool is_long_ = false;
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makeMarkPresenter(const WindowParts& parts) {
-  return std::make_unique<MarkPresenter>(parts);
-}
 
 }  // namespace hexoderm

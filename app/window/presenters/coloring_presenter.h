@@ -1,6 +1,7 @@
-#include "app/window/presenters/presenters.h"
+#pragma once
 
 #include "app/window/guide/guide.h"
+#include "app/window/presenters/presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/settings/scale_settings.h"
 #include "hexoderm/solve/metrics/skin_signs.h"
@@ -10,14 +11,6 @@
 #include <algorithm>
 
 namespace hexoderm {
-namespace {
-
-/// At least one cell states it.
-bool isStated(const Reconstruction& result, std::optional<Matrix6d> CellPlacement::*covariance) {
-  return std::ranges::any_of(result.patches, [&](const PatchReconstruction& patch) {
-    return std::ranges::any_of(patch.cells, [&](const CellPlacement& cell) { return (cell.*covariance).has_value(); });
-  });
-}
 
 /// What the cells in 3D are coloured by until the operator chooses something: the quality of links until Review, from
 /// there on, as soon as that is the same everywhere and shows nothing more, how well the shape is known. And the ranges
@@ -44,6 +37,14 @@ class ColoringPresenter : public Presenter {
     if (!is_chosen_) views.patch->setColoring(suggested());
   }
 
+  /// At least one cell states it.
+  static bool isStated(const Reconstruction& result, std::optional<Matrix6d> CellPlacement::*covariance) {
+    return std::ranges::any_of(result.patches, [&](const PatchReconstruction& patch) {
+      return std::ranges::any_of(patch.cells,
+                                 [&](const CellPlacement& cell) { return (cell.*covariance).has_value(); });
+    });
+  }
+
   Coloring suggested() const {
     const Reconstruction* result = controller.reconstruction().get();
     // A single moment says nothing of uncertainty.
@@ -58,11 +59,5 @@ class ColoringPresenter : public Presenter {
 
   bool is_chosen_ = false;  ///< by the operator
 };
-
-}  // namespace
-
-std::unique_ptr<Presenter> makeColoringPresenter(const WindowParts& parts, const ResultPresenter& results) {
-  return std::make_unique<ColoringPresenter>(parts, results);
-}
 
 }  // namespace hexoderm
