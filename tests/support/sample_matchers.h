@@ -1,13 +1,9 @@
 #pragma once
 
 #include "hexoderm/device/sample_frame.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 #include <bit>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 namespace hexoderm::test {
 

@@ -2,12 +2,7 @@
 
 #include "hexoderm/session/session.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 

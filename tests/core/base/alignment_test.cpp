@@ -1,9 +1,6 @@
 #include "hexoderm/base/alignment.h"
 
-#include "hexoderm/base/error.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/LU>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,12 +1,9 @@
 #include "hexoderm/base/file.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/temporary_file.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -15,19 +12,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 class FileTest : public testing::Test {
  protected:

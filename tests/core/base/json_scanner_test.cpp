@@ -1,14 +1,9 @@
 #include "hexoderm/base/json_scanner.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/json_reader.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <bit>
-#include <cmath>
-#include <random>
 
 namespace hexoderm {
 namespace {

@@ -1,27 +1,20 @@
 #include "hexoderm/base/latest_worker.h"
 
 #include "tests/support/patience.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #ifdef __linux__
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <future>
 #include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 /// The names of the jobs that ran, in order.
 class Diary {

@@ -1,8 +1,6 @@
 #include "hexoderm/base/spelling_suggestion.h"
 
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,14 +1,8 @@
 #include "hexoderm/base/surface_fit.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <tuple>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

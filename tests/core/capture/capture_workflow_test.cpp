@@ -3,17 +3,12 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/reconstructor.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <deque>
 
 namespace hexoderm {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 /// Holds the session, and a file and a device that answer when the test says so.
 class CaptureWorkflowTest : public testing::Test, public CaptureOwner {

@@ -1,37 +1,22 @@
 #include "hexoderm/capture/live_capture.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/sim/simulated_skin.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gmock/gmock.h>
-#include <Eigen/Geometry>
+#include "tests/support/testing.h"
 
 #include <chrono>
-#include <filesystem>
 #include <future>
-#include <memory>
-#include <optional>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 constexpr const char* kSkin = "sim:x17?speed=max";
 

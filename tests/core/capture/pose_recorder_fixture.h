@@ -5,13 +5,7 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
-
-#include <gtest/gtest.h>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::pose_recorder_test {
 

@@ -3,21 +3,10 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::pose_recorder_test {
 namespace {
-
-using testing::ElementsAre;
-using testing::SizeIs;
 
 /// Sets a simulated skin and feeds holds of it, joined by moves of 1 s in which every cell's reading goes straight to
 /// where it will be and is 1 g.

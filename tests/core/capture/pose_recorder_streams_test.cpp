@@ -2,20 +2,12 @@
 
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <limits>
 #include <span>
-#include <vector>
 
 namespace hexoderm::pose_recorder_test {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 TEST_F(PoseRecorderTest, IgnoresAndCountsLateFrames) {
   SyntheticStream stream(cells(2));

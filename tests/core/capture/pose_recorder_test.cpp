@@ -1,20 +1,13 @@
 #include "hexoderm/capture/pose_recorder.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <cstdint>
-#include <optional>
 #include <span>
 
 namespace hexoderm::pose_recorder_test {
 namespace {
-
-using testing::IsEmpty;
-using testing::SizeIs;
 
 TEST_F(PoseRecorderTest, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
   SyntheticStream stream(cells(3));

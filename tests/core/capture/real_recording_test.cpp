@@ -3,10 +3,8 @@
 #include "hexoderm/base/text.h"
 #include "tests/core/capture/captures_of.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
 #include <fstream>
 
 namespace hexoderm {

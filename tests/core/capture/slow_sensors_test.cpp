@@ -5,14 +5,7 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
-
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <ostream>
-#include <random>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

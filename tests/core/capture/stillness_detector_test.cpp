@@ -1,25 +1,17 @@
 #include "hexoderm/capture/stillness_detector.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/synthetic_stream.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/options.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <functional>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using test::StreamOptions;
 using test::SyntheticStream;
-using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
-using ::testing::StartsWith;
 
 Accelerometer accelerometer() { return builtInCellModel("hex-bma150").accelerometer; }
 

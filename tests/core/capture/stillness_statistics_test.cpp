@@ -1,6 +1,6 @@
 #include "hexoderm/capture/stillness_statistics.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,8 +1,6 @@
 #include "hexoderm/capture/stillness_trace.h"
 
-#include <gtest/gtest.h>
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

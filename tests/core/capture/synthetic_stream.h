@@ -4,13 +4,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/device/sample_frame.h"
 #include "tests/support/random_vector.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 

@@ -5,10 +5,9 @@
 
 #include "tests/core/device/sources/loopback_device.h"
 #include "tests/core/device/sources/wire_host.h"
+#include "tests/support/testing.h"
 
 #include <sys/resource.h>
-
-#include <gtest/gtest.h>
 
 #include <chrono>
 #include <future>

@@ -1,16 +1,11 @@
 #include "hexoderm/device/listening.h"
 
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
-#include <cmath>
 #include <numbers>
-#include <random>
 
 namespace hexoderm {
 namespace {
-
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 SkinDescription threeCells() {
   SkinDescription skin;

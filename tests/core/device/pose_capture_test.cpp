@@ -1,8 +1,6 @@
 #include "hexoderm/device/pose_average.h"
 
-#include <gtest/gtest.h>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,28 +1,21 @@
 #include "hexoderm/io/calibration_json.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/json_complaints.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/result_builder.h"
 #include "tests/support/rich_calibration.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
 using test::richCalibration;
-using test::saysAll;
 using test::TemporaryFolder;
 
 nlohmann::json richJson() { return nlohmann::json::parse(calibrationToJson(richCalibration())); }

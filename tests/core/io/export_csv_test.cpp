@@ -1,23 +1,17 @@
 #include "hexoderm/io/export_csv.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/other_programs.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class ExportCsv : public ExportTest {
  protected:

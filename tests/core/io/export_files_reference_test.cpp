@@ -6,12 +6,10 @@
 #include "tests/core/io/taxel_readers.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <cctype>
 #include <pugixml.hpp>
-#include <set>
 
 namespace hexoderm {
 namespace {

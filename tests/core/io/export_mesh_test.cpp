@@ -6,24 +6,14 @@
 #include "hexoderm/solve/metrics/patch_mesh.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 Reconstruction onePatch() {
   Reconstruction one = makeTestReconstruction();

@@ -2,24 +2,19 @@
 
 #include "hexoderm/io/export_package.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/io/calibration_json.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {
 
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Not;
 
 class ExportPackage : public ExportTest {

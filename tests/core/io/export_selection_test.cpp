@@ -2,27 +2,15 @@
 
 #include "hexoderm/io/export_selection.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/sha256.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <Eigen/Cholesky>
-#include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <random>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class ExportSelections : public ExportTest {
  protected:

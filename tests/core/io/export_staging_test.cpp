@@ -1,18 +1,12 @@
 #include "hexoderm/io/export_staging.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 using ExportStaging = ExportTest;
 
 TEST_F(ExportStaging, MakesAFolderForItsFiles) {

@@ -1,15 +1,9 @@
-#include "hexoderm/base/error.h"
 #include "tests/core/io/placed_skin.h"
 #include "tests/core/io/taxel_readers.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::HasSubstr;
 
 using ExportTaxels = PlacedSkin;
 

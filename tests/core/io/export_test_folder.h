@@ -1,20 +1,11 @@
 #pragma once
 
-#include "tests/support/error_matchers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
-
-using test::messageOf;
 
 /// A folder of a test's own, gone at its end.
 class ExportTest : public ::testing::Test {

@@ -1,15 +1,12 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/tum_xml.h"
 #include "tests/support/hand_made_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <pugixml.hpp>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
 
 TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
   const Reconstruction reconstruction = makeTestReconstruction();

@@ -1,28 +1,17 @@
 #include "hexoderm/io/export_urdf.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <map>
 #include <pugixml.hpp>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
 /// What a file of the skin holds.

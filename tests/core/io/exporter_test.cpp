@@ -1,6 +1,5 @@
 #include "hexoderm/io/exporter.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/sim/simulated_session.h"
@@ -9,19 +8,10 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
 #include "tests/support/solvers.h"
-
-#include <gmock/gmock.h>
-
-#include <limits>
-#include <map>
-#include <set>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class EveryExport : public ExportTest, public ::testing::WithParamInterface<ExportFormat> {
  protected:

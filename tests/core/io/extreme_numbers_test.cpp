@@ -1,7 +1,6 @@
 // Finite numbers that no skin has: what is not refused with its key path is solved, evaluated and written without a
 // number that is none.
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/exporter.h"
@@ -14,18 +13,14 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/solvers.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include <array>
-#include <random>
 
 namespace hexoderm {
 namespace {
 
 using Json = nlohmann::json;
-using testing::HasSubstr;
 
 constexpr std::array kExtremes = {0.0,   5e-324, 1e-300,  1e-100, 1e-12, 1e-9, 1e-6,  1e-3,   1.0,
                                   1e3,   1e6,    1e9,     1e12,   1e13,  1e30, 1e100, 1e154,  1e200,

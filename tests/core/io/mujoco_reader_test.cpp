@@ -1,15 +1,9 @@
 // An MJCF model as MuJoCo itself loads and places it.
 
 #include "tests/core/io/placed_skin.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
-
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {

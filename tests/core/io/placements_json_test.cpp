@@ -1,18 +1,9 @@
 #include "hexoderm/io/placements_json.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <string>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 std::vector<PatchOnLink> somePlacements() {
   PatchOnLink a{

@@ -1,12 +1,9 @@
 // An SDF model as libsdformat, Gazebo's reader, resolves it.
 
 #include "tests/core/io/placed_skin.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
 #include <sdf/sdf.hh>
-
-#include <algorithm>
-#include <string>
 
 namespace hexoderm {
 namespace {

@@ -2,8 +2,7 @@
 
 #include "hexoderm/sim/simulated_session.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,25 +1,17 @@
 #include "hexoderm/io/session_json.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/core/io/json_complaints.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using test::TemporaryFolder;
 
 const std::filesystem::path kThreeCells = std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json";

@@ -1,21 +1,15 @@
 #include "hexoderm/io/tum_xml.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/skin_graph.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 const std::filesystem::path kTwoPatches = std::filesystem::path(HEXODERM_TEST_DATA) / "two_patches.tum.xml";
 

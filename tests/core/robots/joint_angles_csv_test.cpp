@@ -1,16 +1,10 @@
 #include "hexoderm/robots/joint_angles_csv.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 /// Joints that turn: elbow, wrist, tilt_deg; one that slides: lift; one that mimics the elbow; a fixed one.
 const RobotModel& robot() {

@@ -1,21 +1,13 @@
 #include "hexoderm/robots/robot_model.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/Geometry>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using test::TemporaryFolder;
 
 const RobotModel& readDemoArm() {

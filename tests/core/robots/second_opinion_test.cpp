@@ -5,16 +5,14 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <gtest/gtest.h>
 
 #include <assimp/Exporter.hpp>
 #include <assimp/Importer.hpp>
-#include <limits>
-#include <set>
 
 namespace hexoderm {
 namespace {

@@ -2,12 +2,8 @@
 
 #include "hexoderm/session/sample_blobs.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

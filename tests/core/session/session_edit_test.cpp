@@ -1,10 +1,8 @@
 #include "hexoderm/session/session_edit.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/session/session_edits.h"
 #include "tests/support/session_matchers.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -2,12 +2,7 @@
 
 #include "hexoderm/session/session_edit.h"
 #include "tests/support/session_matchers.h"
-
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 

@@ -1,13 +1,10 @@
 #include "hexoderm/session/session_recorder.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <condition_variable>
-#include <filesystem>
 #include <future>
 #include <iostream>
 #include <mutex>
@@ -17,8 +14,6 @@ namespace hexoderm {
 namespace {
 
 using test::TemporaryFolder;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// Collects outcomes from the store's thread and lets the test wait for them.
 class Outcomes {

@@ -3,26 +3,20 @@
 
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/sqlite_database.h"
 #include "hexoderm/session/store_file.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <array>
 #include <cstring>
 
 namespace hexoderm {
 namespace {
 
 namespace fs = std::filesystem;
-using test::messageOf;
-using test::saysAll;
 using test::sessionWithEverything;
 using test::TemporaryFolder;
 

@@ -2,28 +2,22 @@
 
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <sys/stat.h>
 
 #include <future>
 #include <iostream>
-#include <map>
 
 namespace hexoderm {
 namespace {
 
 namespace fs = std::filesystem;
 using test::expectSameSession;
-using test::messageOf;
-using test::saysAll;
 using test::sessionWithEverything;
 using test::TemporaryFolder;
 

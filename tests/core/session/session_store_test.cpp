@@ -1,31 +1,21 @@
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "tests/core/session/session_edits.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <filesystem>
 #include <iostream>
-#include <limits>
-#include <set>
-#include <string>
 
 namespace hexoderm {
 namespace {
 
 using test::expectSamePose;
 using test::expectSameSession;
-using test::messageOf;
-using test::saysAll;
 using test::sessionWithEverything;
 using test::TemporaryFolder;
-using testing::ElementsAre;
 
 std::uint64_t appendOne(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
 

@@ -1,13 +1,7 @@
 #include "hexoderm/session/session.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/sim/simulated_session.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <functional>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

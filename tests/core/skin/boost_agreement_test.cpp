@@ -2,19 +2,13 @@
 
 #include "hexoderm/skin/origin_search.h"
 #include "hexoderm/skin/shortest_paths.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <numeric>
-#include <random>
 
 namespace hexoderm {
 namespace {

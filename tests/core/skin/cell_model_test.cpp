@@ -1,19 +1,11 @@
 #include "hexoderm/skin/cell_model.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-
-#include <string>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 CellModel hex() { return builtInCellModel("hex-bma150"); }
 

@@ -2,11 +2,7 @@
 
 #include "hexoderm/skin/origin_search.h"
 #include "tests/support/neighbor_lists.h"
-
-#include <gmock/gmock.h>
-
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -14,7 +10,6 @@ namespace {
 using test::joinCells;
 using test::listOfCells;
 using test::listOfSheet;
-using ::testing::ElementsAre;
 
 CellModel bigModel() {
   CellModel model = builtInCellModel("hex-bma150");

@@ -1,15 +1,10 @@
 #include "hexoderm/skin/skin_graph.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
 const CellModel& model() {

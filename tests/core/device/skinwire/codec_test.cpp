@@ -1,24 +1,15 @@
 #include "hexoderm/device/skinwire/codec.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <cmath>
-#include <filesystem>
-#include <functional>
-#include <limits>
 #include <sstream>
-#include <utility>
 
 namespace hexoderm::skinwire {
 namespace {
-
-using testing::HasSubstr;
 
 Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 

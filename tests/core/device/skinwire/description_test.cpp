@@ -1,13 +1,8 @@
 #include "hexoderm/device/skinwire/description.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

@@ -4,12 +4,9 @@
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-#include <cstdint>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace hexoderm::skinwire {
 namespace {

@@ -4,9 +4,7 @@
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/slow_build.h"
-
-#include <gtest/gtest.h>
-#include <cstdint>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

@@ -3,14 +3,7 @@
 #include "hexoderm/device/skinwire/description.h"
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-
-#include <gtest/gtest.h>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

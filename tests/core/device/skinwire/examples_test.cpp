@@ -6,11 +6,9 @@
 #include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {

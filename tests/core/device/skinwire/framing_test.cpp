@@ -1,10 +1,7 @@
 #include "hexoderm/device/skinwire/framing.h"
 
 #include "tests/core/device/skinwire/wire_messages.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

@@ -1,12 +1,9 @@
 #include "hexoderm/device/skinwire/sample_messages.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gtest/gtest.h>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

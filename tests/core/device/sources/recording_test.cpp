@@ -1,26 +1,19 @@
 #include "hexoderm/device/sources/recording.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/sample_matchers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <chrono>
-#include <filesystem>
-#include <limits>
 #include <thread>
 
 namespace hexoderm {
 namespace {
-
-using testing::HasSubstr;
 
 constexpr double kLsb_g = 0.00390625;
 

@@ -2,16 +2,12 @@
 
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using skinwire::Samples;
-using testing::HasSubstr;
 using Effect = SkinStream::Effect;
 
 class SkinStreamTest : public testing::Test {

@@ -4,12 +4,10 @@
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
 #include <fcntl.h>
 #include <unistd.h>
-
-#include <gtest/gtest.h>
-#include <array>
 
 namespace hexoderm {
 namespace {

@@ -1,17 +1,12 @@
 // Commands to a device on a wire: their answers, their repetition, and those that get no answer.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <chrono>
-#include <cstdint>
-#include <optional>
 
 namespace hexoderm::wire_source_test {
 namespace {
-
-using testing::HasSubstr;
 
 TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
   for (const Framing framing : {Framing::Length, Framing::Lines}) {

@@ -1,15 +1,9 @@
 // Wires that are lost, silent or not there: when it is said, and when the connection is made anew.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <chrono>
-#include <cstddef>
-#include <filesystem>
-#include <iterator>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace hexoderm::wire_source_test {
 namespace {

@@ -1,10 +1,7 @@
 #include "hexoderm/device/sources/wire_source.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/device/sources/wire_source_fixture.h"
-
-#include <gtest/gtest.h>
-#include <cstdint>
+#include "tests/support/testing.h"
 
 namespace hexoderm::wire_source_test {
 namespace {

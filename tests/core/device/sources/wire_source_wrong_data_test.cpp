@@ -1,11 +1,7 @@
 // Data that is cut off, broken, lost, of another version or at another baud rate.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
-
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <string>
-#include <utility>
+#include "tests/support/testing.h"
 
 namespace hexoderm::wire_source_test {
 namespace {

@@ -1,8 +1,7 @@
 #include "hexoderm/mounting/attachment/link_gravity.h"
 
 #include "tests/core/mounting/attachment/drawn_links.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

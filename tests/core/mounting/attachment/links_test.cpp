@@ -1,26 +1,14 @@
 #include "hexoderm/mounting/attachment/links.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/mounting/attachment/drawn_links.h"
 #include "tests/core/mounting/attachment/simulated_links.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <regex>
-#include <tuple>
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using ::testing::Contains;
-using ::testing::HasSubstr;
 
 std::vector<std::string> namesOf(const LinkCandidate& candidate) {
   std::vector<std::string> names;

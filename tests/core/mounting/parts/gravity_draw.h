@@ -5,10 +5,7 @@
 
 #include "hexoderm/mounting/parts/gravity_seen.h"
 #include "tests/support/normal_draw.h"
-
-#include <Eigen/Dense>
-#include <cmath>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 

@@ -4,14 +4,9 @@
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/core/mounting/parts/jointed_skins.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <array>
-#include <cmath>
 #include <numeric>
-#include <string>
 
 namespace hexoderm {
 namespace {

@@ -1,12 +1,7 @@
 #include "hexoderm/mounting/parts/hinge_fit.h"
 
 #include "tests/core/mounting/parts/gravity_draw.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,11 +1,7 @@
 #include "hexoderm/mounting/parts/movement.h"
 
 #include "tests/core/mounting/parts/gravity_draw.h"
-
-#include <gmock/gmock.h>
-
-#include <array>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

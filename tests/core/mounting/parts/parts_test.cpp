@@ -1,6 +1,5 @@
 #include "hexoderm/mounting/parts/parts.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/median.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/mounting/parts/gravity_draw.h"
@@ -8,14 +7,7 @@
 #include "tests/support/changed_session.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
-
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -2,11 +2,7 @@
 
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/support/matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <array>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

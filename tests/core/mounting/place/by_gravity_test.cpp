@@ -2,8 +2,7 @@
 
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,16 +1,11 @@
 #include "hexoderm/mounting/place/freedom.h"
 
 #include "tests/core/mounting/place/laid_patches.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
 using Kind = FreeDirection::Kind;
 
 /// The points of a free direction's axis and the twist say the same.

@@ -1,23 +1,11 @@
 #include "hexoderm/mounting/place/place.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/mounting/place/laid_patches.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/slow_build.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 constexpr int kPlaceSeeds = test::kSlowBuild ? 2 : 6;
 

@@ -2,11 +2,7 @@
 
 #include "hexoderm/base/units.h"
 #include "tests/core/mounting/place/laid_patches.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
