@@ -4,6 +4,7 @@
 
 #include "hexoderm/base/file.h"
 #include "tests/support/failing_disk.h"
+#include "tests/support/pipe.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/testing.h"
@@ -102,21 +103,20 @@ TEST_F(SharedStore, HasOneWriterAmongAllProcesses) {
 class OtherWriter {
  public:
   explicit OtherWriter(const fs::path& path) {
-    if (::pipe(pipe_) != 0) throw std::runtime_error("no pipe");
     child_ = ::fork();
     if (child_ == 0) {
       try {
         SessionStore store = SessionStore::open(path);
         appendTo(store, RemovePose{0});
-        static_cast<void>(!::write(pipe_[1], "x", 1));
+        static_cast<void>(!::write(pipe_.ends[1], "x", 1));
         while (true) ::pause();
       } catch (...) {
         ::_exit(1);
       }
     }
-    ::close(pipe_[1]);
+    pipe_.closeEnd(1);
     char ready = 0;
-    has_begun_ = ::read(pipe_[0], &ready, 1) == 1;
+    has_begun_ = ::read(pipe_.ends[0], &ready, 1) == 1;
   }
   ~OtherWriter() { kill(); }
   OtherWriter(const OtherWriter&) = delete;
@@ -127,12 +127,11 @@ class OtherWriter {
     if (child_ <= 0) return;
     ::kill(child_, SIGKILL);
     ::waitpid(child_, nullptr, 0);
-    ::close(pipe_[0]);
     child_ = 0;
   }
 
  private:
-  int pipe_[2] = {-1, -1};
+  test::Pipe pipe_;
   pid_t child_ = 0;
   bool has_begun_ = false;
 };
