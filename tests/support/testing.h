@@ -2,7 +2,6 @@
 
 // What nearly every test of core needs.
 
-#include "hexoderm/base/error.h"
 #include "tests/support/error_matchers.h"
 
 #include <gmock/gmock.h>
@@ -25,7 +24,9 @@
 
 namespace hexoderm {
 
+using test::expectRefusedWhereverCutOff;
 using test::messageOf;
+using test::replaced;
 using test::saysAll;
 using ::testing::AllOf;
 using ::testing::Contains;

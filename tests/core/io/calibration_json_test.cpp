@@ -269,12 +269,10 @@ TEST(CalibrationJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
 
 TEST(CalibrationJson, IsRefusedWhereverItIsCutOff) {
   const std::string text = calibrationToJson(richCalibration());
-  const std::size_t end = text.find_last_of('}');
-  for (std::size_t size = 0; size <= end; size += 7) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(std::string_view(text).substr(0, size), "c.json"); }),
-                saysAll("c.json: "))
-        << "cut after " << size << " bytes";
-  }
+  constexpr std::size_t kStep = 7;
+  expectRefusedWhereverCutOff(
+      text, text.find_last_of('}'), "c.json: ", [](const std::string& cut) { parseCalibrationJson(cut, "c.json"); },
+      kStep);
 }
 
 TEST(CalibrationJson, IsWrittenWholeOrNotAtAll) {

@@ -34,11 +34,4 @@ class ExportTest : public ::testing::Test {
   const std::filesystem::path& folder_ = temporary_.path();
 };
 
-/// `text` with its first `from` replaced; fails the test if there is none.
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << "nothing to tamper with: " << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 }  // namespace hexoderm

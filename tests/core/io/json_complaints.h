@@ -1,8 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "tests/support/testing.h"
+
+#include <nlohmann/json.hpp>
 
 namespace hexoderm::test {
 

@@ -27,10 +27,7 @@ TEST(PlacementsJson, ReadsBackWhatWasWritten) {
 
 TEST(PlacementsJson, SaysWhatIsWrongAndWhere) {
   const auto says = [](const std::string& from, const std::string& to) {
-    std::string text = placementsToJson(somePlacements());
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
+    const std::string text = replaced(placementsToJson(somePlacements()), from, to);
     return messageOf<FormatError>([&] { placementsFromJson(text, "a.json"); });
   };
   EXPECT_THAT(says("hexoderm-placements", "hexoderm-session"), saysAll("a.json", "hexoderm-placements"));

@@ -167,12 +167,8 @@ TEST(SessionJson, NamesTheKeyPathOfWhatIsWrong) {
 
 TEST(SessionJson, IsRefusedWhereverItIsCutOff) {
   const std::string text = readFile(kThreeCells);
-  const std::size_t end = text.find_last_of('}');
-  for (std::size_t size = 0; size <= end; ++size) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(std::string_view(text).substr(0, size), "s.json"); }),
-                saysAll("s.json: "))
-        << "cut after " << size << " bytes";
-  }
+  expectRefusedWhereverCutOff(text, text.find_last_of('}'),
+                              "s.json: ", [](const std::string& cut) { parseSessionJson(cut, "s.json"); });
 }
 
 TEST(SessionJson, NamesTheWholePathOfABadFile) {

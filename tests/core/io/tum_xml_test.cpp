@@ -17,11 +17,7 @@ CellModel hex() { return builtInCellModel("hex-bma150"); }
 
 /// The reader's complaint about the file with the first occurrence of one text replaced by another.
 std::string complaint(const std::string& from, const std::string& to) {
-  std::string text = readFile(kTwoPatches);
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-  return messageOf<FormatError>([&] { parseTumXml(text, "t.xml"); });
+  return messageOf<FormatError>([&] { parseTumXml(replaced(readFile(kTwoPatches), from, to), "t.xml"); });
 }
 
 bool has(const Reconstruction& result, FindingCode code) {
@@ -212,12 +208,8 @@ TEST(TumXml, RefusesOtherDocuments) {
 
 TEST(TumXml, IsRefusedWhereverItIsCutOff) {
   const std::string text = readFile(kTwoPatches);
-  const std::size_t end = text.find_last_of('>');
-  for (std::size_t size = 0; size <= end; ++size) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseTumXml(std::string_view(text).substr(0, size), "t.xml"); }),
-                saysAll("t.xml: "))
-        << "cut after " << size << " bytes";
-  }
+  expectRefusedWhereverCutOff(text, text.find_last_of('>'),
+                              "t.xml: ", [](const std::string& cut) { parseTumXml(cut, "t.xml"); });
 }
 
 }  // namespace

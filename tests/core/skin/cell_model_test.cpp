@@ -129,11 +129,7 @@ TEST(CellModelJson, IsLoadedFromAFileOfTheUsersOwn) {
 
 /// The complaint about the built-in model with one text replaced.
 std::string complaintWith(const std::string& from, const std::string& to) {
-  std::string text = cellModelToJson(hex());
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-  return messageOf<FormatError>([&] { cellModelFromJson(text, "m.json"); });
+  return messageOf<FormatError>([&] { cellModelFromJson(replaced(cellModelToJson(hex()), from, to), "m.json"); });
 }
 
 TEST(CellModelJson, RefusesPortsThatMakeNoSense) {

@@ -372,9 +372,8 @@ TEST(Links, DoNotDependOnNamesAndOrderOfTheFile) {
 // A robot that hangs from the ceiling.
 TEST(Links, TheBaseMayStandOtherwise) {
   const DrawnArm arm(DrawnArmOptions{});
-  std::string hung = armUrdf();
-  const std::string first = "<origin xyz=\"0 0 0.3\"/>";
-  hung.replace(hung.find(first), first.size(), "<origin xyz=\"0 0 0.3\" rpy=\"3.141592653589793 0 0\"/>");
+  const std::string hung =
+      replaced(armUrdf(), R"(<origin xyz="0 0 0.3"/>)", R"(<origin xyz="0 0 0.3" rpy="3.141592653589793 0 0"/>)");
   LinksOptions find = withoutLever();
   const LinksResult standing = arm.find(find);
   find.up_w = -2 * Eigen::Vector3d::UnitZ();
