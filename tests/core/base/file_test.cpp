@@ -9,7 +9,6 @@
 #include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/un.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -194,16 +193,13 @@ TEST(TemporaryFile, TellsItsContentFromOtherBytes) {
 
 /// Leaves a hidden file as a killed writer does where no file can be without a name.
 void beKilledWhileWriting(const std::filesystem::path& target) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const TemporaryFile file(target, target.string(), TemporaryFile::Naming::AtTheStart);
-    const hexoderm::TemporaryFolder folder(target.parent_path(), target.string());
-    std::ofstream(folder.path() / "inside") << "x";
-    ::kill(::getpid(), SIGKILL);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  EXPECT_TRUE(WIFSIGNALED(status));
+  EXPECT_EQ(test::inAnotherProcess([&] {
+              const TemporaryFile file(target, target.string(), TemporaryFile::Naming::AtTheStart);
+              const hexoderm::TemporaryFolder folder(target.parent_path(), target.string());
+              std::ofstream(folder.path() / "inside") << "x";
+              return ::kill(::getpid(), SIGKILL);
+            }),
+            128 + SIGKILL);
 }
 
 TEST_F(WriteFileAtomically, RemovesWhatAKilledWriterLeft) {

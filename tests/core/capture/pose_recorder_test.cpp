@@ -202,15 +202,11 @@ TEST_F(PoseRecorderTest, StartsOverWithAnotherSkin) {
 }
 
 TEST_F(PoseRecorderTest, RefusesOptionsThatMakeNoSense) {
-  PoseRecorderOptions options;
-  options.collect_s = 0;
-  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
-  options = {};
-  options.repeat_angle_rad = -1;
-  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
-  options = {};
-  options.stillness.hold_s = -1;
-  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
+  for (const PoseRecorderOptions& options :
+       {test::with(&PoseRecorderOptions::collect_s, 0), test::with(&PoseRecorderOptions::repeat_angle_rad, -1),
+        test::with(&PoseRecorderOptions::stillness, test::with(&StillnessOptions::hold_s, -1))}) {
+    EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
+  }
 }
 
 }  // namespace

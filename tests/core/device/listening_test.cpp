@@ -55,12 +55,7 @@ TEST(Listening, MeasuresRatesNormsAndNoise) {
 
 TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveMetricsFinite) {
   Listening listening = heard(0.02, 200);
-  SampleFrame frame;
-  frame.time_s = 0;
-  frame.samples = {{CellId(1), Eigen::Vector3d::Constant(3e38)}};
-  listening.onFrame(frame);
-  frame.time_s = 0.005;
-  listening.onFrame(frame);
+  for (const double time_s : {0.0, 0.005}) listening.onFrame({time_s, {{CellId(1), Eigen::Vector3d::Constant(3e38)}}});
   const ListeningReport report = listening.report();
   EXPECT_NEAR(*report.cells[0].rate_hz, 200, 1e-6);
   EXPECT_EQ(report.cells[0].norm_g->most, 1e6);
@@ -74,12 +69,8 @@ TEST(Listening, MeansAreAlongTheAxesOfTheCell) {
   skin.model = std::make_shared<const CellModel>(model);
   Listening listening;
   listening.onSkin(skin);
-  SampleFrame frame;
-  for (const double x_g : {0.9, 1.1}) {
-    frame.samples = {{CellId(1), Eigen::Vector3d(x_g, 0.1, 0.2)}};
-    listening.onFrame(frame);
-    frame.time_s += 0.01;
-  }
+  listening.onFrame({0, {{CellId(1), {0.9, 0.1, 0.2}}}});
+  listening.onFrame({0.01, {{CellId(1), {1.1, 0.1, 0.2}}}});
   const Eigen::Vector3d mean_u = *listening.report().cells[0].mean_u;
   EXPECT_NEAR((mean_u - Eigen::Vector3d(-0.1, 1, 0.2)).norm(), 0, 1e-12) << mean_u;
 }
@@ -90,9 +81,7 @@ TEST(Listening, SaysThatALineIsTooSlow) {
     listening.onSkin(threeCells());
     const Listening::Clock::time_point begin{};
     for (int k = 0; k < 200; ++k) {
-      SampleFrame frame;
-      frame.time_s = 5 + k / device_hz;
-      frame.samples = {{CellId(1), Eigen::Vector3d::UnitZ()}, {CellId(2), Eigen::Vector3d::UnitZ()}};
+      const SampleFrame frame{5 + k / device_hz, {{CellId(1), {0, 0, 1}}, {CellId(2), {0, 0, 1}}}};
       const auto since = std::chrono::duration<double>(k / host_hz);
       listening.add(frame, begin + std::chrono::duration_cast<Listening::Clock::duration>(since));
     }
@@ -110,10 +99,8 @@ TEST(Listening, SaysThatALineIsTooSlow) {
   status.offences = {{ProtocolViolationKind::TimeUnit, message("milliseconds?")}};
   listening.onStatus(status);
   for (int k = 0; k < 200; ++k) {
-    SampleFrame frame;
-    frame.time_s = 5 + k / 1e5;
-    frame.samples = {{CellId(1), Eigen::Vector3d::UnitZ()}};
-    listening.add(frame, Listening::Clock::time_point(std::chrono::milliseconds(30 * k)));
+    listening.add({5 + k / 1e5, {{CellId(1), {0, 0, 1}}}},
+                  Listening::Clock::time_point(std::chrono::milliseconds(30 * k)));
   }
   EXPECT_THAT(listening.report().remarks, testing::IsEmpty());
 }

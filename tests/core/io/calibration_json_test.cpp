@@ -9,6 +9,7 @@
 #include "tests/support/result_builder.h"
 #include "tests/support/rich_calibration.h"
 #include "tests/support/session_matchers.h"
+#include "tests/support/solvers.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/testing.h"
 
@@ -154,10 +155,7 @@ TEST(CalibrationJson, KeepsEveryGapModelOfTheGlobalSolver) {
 
 TEST(CalibrationJson, KeepsTheGapModelOfATreeWhichHasNoGapShare) {
   const Session session = readSessionJson(std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json");
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  options.gap_model = GapModel::Arc;
-  const std::string text = calibrationToJson(*reconstruct(*session.snapshot(), options));
+  const std::string text = calibrationToJson(*reconstruct(*session.snapshot(), test::by(Solver::Tree, GapModel::Arc)));
   const nlohmann::json json = nlohmann::json::parse(text);
   EXPECT_EQ(json["solver"], "tree");
   EXPECT_EQ(json["gap_model"], "arc");

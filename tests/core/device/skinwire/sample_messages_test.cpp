@@ -50,10 +50,7 @@ TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
 }
 
 TEST(SampleMessages, MeansAndTemperaturesComeBack) {
-  SampleFrame frame;
-  frame.time_s = 2;
-  frame.means = {{CellId(1), {0, 0.5, -1}, {0.25, 0.5, 0}, 12}};
-  frame.temperatures = {{CellId(1), 36.5}};
+  const SampleFrame frame{2, {}, {{CellId(1), {0, 0.5, -1}, {0.25, 0.5, 0}, 12}}, {{CellId(1), 36.5}}};
   SampleEncoder encoder(kLsb_g);
   std::vector<Samples> out;
   encoder.encode(frame, out);

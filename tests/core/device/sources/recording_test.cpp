@@ -23,10 +23,8 @@ SkinDescription twoCells() {
 }
 
 SampleFrame frameAt(double time_s) {
-  SampleFrame frame;
-  frame.time_s = time_s;
-  frame.samples = {{CellId(1), Eigen::Vector3d(1, -2, 256) * kLsb_g}, {CellId(2), Eigen::Vector3d(0, 5, 250) * kLsb_g}};
-  return frame;
+  return {time_s,
+          {{CellId(1), Eigen::Vector3d(1, -2, 256) * kLsb_g}, {CellId(2), Eigen::Vector3d(0, 5, 250) * kLsb_g}}};
 }
 
 /// Ten frames, 1 ms apart.
@@ -286,8 +284,8 @@ TEST_F(Recording, EndsWhereItsFileIsMovedOrRemovedButListeningGoesOn) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
     recorder.onFrame(frameAt(2));
     EXPECT_THAT(recorder.error().english(),
-                testing::AllOf(HasSubstr("a.skinrec: the recording ended: it was "),
-                               HasSubstr(is_moved ? "moved to " + elsewhere.string() : "removed while")));
+                AllOf(HasSubstr("a.skinrec: the recording ended: it was "),
+                      HasSubstr(is_moved ? "moved to " + elsewhere.string() : "removed while")));
     recorder.onFrame(frameAt(3));
     EXPECT_EQ(listener.delivered().frames.size(), 3U);
     EXPECT_THROW(recorder.finish(), StorageError);

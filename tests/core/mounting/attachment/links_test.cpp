@@ -2,6 +2,7 @@
 
 #include "tests/core/mounting/attachment/drawn_links.h"
 #include "tests/core/mounting/attachment/simulated_links.h"
+#include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/testing.h"
 
@@ -307,13 +308,11 @@ TEST(Links, BadInputIsRefusedText) {
   for (PatchReconstruction& patch : filed.reconstruction.patches) patch.gravity_covariance = nullptr;
   EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(filed.find()); }), HasSubstr("just solved"));
 
-  for (const auto& spoil : std::vector<std::function<void(LinksOptions&)>>{
-           [](LinksOptions& o) { o.up_w.setZero(); }, [](LinksOptions& o) { o.false_alarm = 0; },
-           [](LinksOptions& o) { o.zero_sigma_rad = -1; }, [](LinksOptions& o) { o.tilt_sigma_rad = -1; },
-           [](LinksOptions& o) { o.lever_m = -1; }, [](LinksOptions& o) { o.test_lever_m = -1; },
-           [](LinksOptions& o) { o.most_poses = 1; }}) {
-    LinksOptions spoiled;
-    spoil(spoiled);
+  for (const LinksOptions& spoiled :
+       {test::with(&LinksOptions::up_w, {0, 0, 0}), test::with(&LinksOptions::false_alarm, 0),
+        test::with(&LinksOptions::zero_sigma_rad, -1), test::with(&LinksOptions::tilt_sigma_rad, -1),
+        test::with(&LinksOptions::lever_m, -1), test::with(&LinksOptions::test_lever_m, -1),
+        test::with(&LinksOptions::most_poses, 1)}) {
     EXPECT_THROW(spoiled.validate(), InvalidArgument);
   }
 }

@@ -5,6 +5,7 @@
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/core/mounting/parts/jointed_skins.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
 #include "tests/support/testing.h"
@@ -168,11 +169,9 @@ TEST(Parts, NeedTheCovarianceOfGravity) {
 }
 
 TEST(Parts, OptionsAreChecked) {
-  for (const auto& spoil : std::vector<std::function<void(PartsOptions&)>>{
-           [](PartsOptions& o) { o.false_alarm = 0; }, [](PartsOptions& o) { o.most_poses = 1; },
-           [](PartsOptions& o) { o.lever_m = -1; }, [](PartsOptions& o) { o.least_odds = 0; }}) {
-    PartsOptions options;
-    spoil(options);
+  for (const PartsOptions& options :
+       {test::with(&PartsOptions::false_alarm, 0), test::with(&PartsOptions::most_poses, 1),
+        test::with(&PartsOptions::lever_m, -1), test::with(&PartsOptions::least_odds, 0)}) {
     EXPECT_THROW(options.validate(), InvalidArgument);
   }
 }
