@@ -135,6 +135,16 @@ bool tells(const LiveCaptureEvent& event) {
   return course != nullptr && std::holds_alternative<Event>(*course);
 }
 
+/// Captures into a file.
+class LiveCaptureToFile : public testing::Test {
+ protected:
+  LiveCaptureToFile() { options_.file = folder_.path() / "live.hexo"; }
+
+  const test::TemporaryFolder folder_;
+  LiveCaptureOptions options_;
+  std::stop_source stop_;
+};
+
 TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
   LiveCapture capture(fourPoses());
   EXPECT_FALSE(capture.state().last);
@@ -225,23 +235,20 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
   }
 }
 
-TEST(LiveCapture, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
+TEST_F(LiveCaptureToFile, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
+  Scripted scripted(options_);
   scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
-  std::filesystem::remove(options.file);
+  std::filesystem::remove(options_.file);
   scripted.holdAgain();
   ASSERT_TRUE(scripted.capture->next());
   EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(1));
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
-  std::filesystem::remove(options.file);  // after the last pose, too
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(2));
+  std::filesystem::remove(options_.file);  // after the last pose, too
   scripted.capture->close();
   EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(2));
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(2));
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
 TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
@@ -258,47 +265,39 @@ TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
   EXPECT_THAT(openSession(folder.path() / "after" / "live.hexo").poses(), SizeIs(1));
 }
 
-TEST(LiveCapture, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
-  std::stop_source stop;
+TEST_F(LiveCaptureToFile, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
+  Scripted scripted(options_);
   scripted.then = [&](const LiveCaptureEvent& event) {
-    if (tells<FileRefused>(event)) stop.request_stop();
+    if (tells<FileRefused>(event)) stop_.request_stop();
   };
   scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
   {
     const test::NoFileGrows full;
     scripted.holdAgain();
-    EXPECT_FALSE(scripted.capture->next(stop.get_token()));
+    EXPECT_FALSE(scripted.capture->next(stop_.get_token()));
     const std::string why = messageOf<StorageError>([&] { scripted.capture->close(); });
     EXPECT_THAT(why, saysAll("live.hexo: ", "; pose 2 is not stored; 1 pose was stored before"));
     EXPECT_THAT(why, testing::Not(testing::HasSubstr("was closed")));
   }
   EXPECT_THAT(scripted.toldByCourse<FileRefused>(), SizeIs(1)) << "at the end nobody tries again";
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(1));
 }
 
-TEST(LiveCapture, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
-  std::stop_source stop;
+TEST_F(LiveCaptureToFile, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
+  Scripted scripted(options_);
   std::optional<test::NoFileGrows> full;
   scripted.then = [&](const LiveCaptureEvent& event) {
     if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
-    if (tells<FileRefused>(event)) stop.request_stop();
+    if (tells<FileRefused>(event)) stop_.request_stop();
   };
   scripted.hold();
-  EXPECT_FALSE(scripted.capture->next(stop.get_token()));
-  EXPECT_TRUE(std::filesystem::exists(options.file)) << "the pose may still find room";
+  EXPECT_FALSE(scripted.capture->next(stop_.get_token()));
+  EXPECT_TRUE(std::filesystem::exists(options_.file)) << "the pose may still find room";
   EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
               saysAll("live.hexo: ", "pose 1 is not stored; 0 poses were stored before"));
   full.reset();
-  EXPECT_EQ(folder.entryCount(), 0U);
+  EXPECT_EQ(folder_.entryCount(), 0U);
 }
 
 TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
@@ -339,11 +338,8 @@ TEST(LiveCapture, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed
   EXPECT_THAT(scripted.told<RecordingEnded>().front().why.english(), saysAll("live.skinrec", "the recording ended"));
 }
 
-TEST(LiveCapture, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
+TEST_F(LiveCaptureToFile, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
+  Scripted scripted(options_);
   std::optional<test::NoFileGrows> full;
   scripted.then = [&](const LiveCaptureEvent& event) {
     if (std::holds_alternative<CaptureBegun>(event)) full.emplace();

@@ -10,6 +10,7 @@
 namespace hexoderm::pose_recorder_test {
 
 using test::Captures;
+using test::held;
 using test::StreamOptions;
 using test::SyntheticStream;
 

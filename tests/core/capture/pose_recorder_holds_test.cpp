@@ -62,8 +62,7 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnceWhateverIsBroken) {
 }
 
 TEST_F(PoseRecorderTest, MotionStartsTheHoldOver) {
-  SyntheticStream stream(cells(3));
-  stream.hold(1.2);
+  SyntheticStream stream = held(1.2, cells(3));
   stream.move(30 * kDegree, 0.5);
   const double held_from_s = stream.hold(4).first;
   PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::samples_per_cell, 1000));

@@ -10,8 +10,7 @@ namespace hexoderm::pose_recorder_test {
 namespace {
 
 TEST_F(PoseRecorderTest, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   PoseRecorderOptions options;
   options.keep_frames = true;
   options.wall_clock_ms = [] { return std::int64_t{1234567}; };
@@ -44,8 +43,7 @@ TEST_F(PoseRecorderTest, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
 }
 
 TEST(PoseRecorder, HandsOverWhereTheRobotsJointsStoodMeanwhile) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   const auto captured = [&](double joints_from_s, double joints_to_s) {
     Captures captures;
     PoseRecorder recorder(captures);
@@ -74,8 +72,7 @@ TEST(PoseRecorder, HandsOverWhereTheRobotsJointsStoodMeanwhile) {
 
 TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
   const auto samplesAt = [](double model_hz, double rate_hz, std::uint32_t asked) {
-    SyntheticStream stream(cells(2, rate_hz));
-    stream.hold(5);
+    SyntheticStream stream = held(5, cells(2, rate_hz));
     Captures captures;
     PoseRecorder recorder(captures, test::with(&PoseRecorderOptions::samples_per_cell, asked));
     recorder.setSkin(skinOf(2, model_hz));
@@ -91,8 +88,7 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
 }
 
 TEST_F(PoseRecorderTest, WaitsForTheOperatorUnlessItIsAutomatic) {
-  SyntheticStream stream(cells(2));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(2));
   PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::automatic, false));
   feed(recorder, stream.frames);
   EXPECT_THAT(captures_.poses, IsEmpty());
@@ -143,8 +139,7 @@ TEST_F(PoseRecorderTest, GivesUpACaptureWhenAsked) {
 }
 
 TEST_F(PoseRecorderTest, NamesThePoseThatIsRepeated) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   const Eigen::Vector3d axis = stream.someAxis();
   stream.turnAbout(axis, 80 * kDegree, 1);
   stream.hold(2);
@@ -169,8 +164,7 @@ TEST_F(PoseRecorderTest, NamesThePoseThatIsRepeated) {
 }
 
 TEST_F(PoseRecorderTest, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
-  SyntheticStream stream(cells(3));
-  stream.hold(3);
+  SyntheticStream stream = held(3, cells(3));
   stream.frames[10].temperatures.push_back({CellId(2), 31.5});
   stream.frames[1000].temperatures.push_back({CellId(2), 32.5});
   feed(recorder_, stream.frames);
@@ -190,8 +184,7 @@ TEST_F(PoseRecorderTest, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
 }
 
 TEST_F(PoseRecorderTest, StartsOverWithAnotherSkin) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   recorder_.setSkin(skinOf(3));
   feed(recorder_, stream.frames);
   recorder_.setSkin(skinOf(3, 500));

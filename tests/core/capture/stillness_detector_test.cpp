@@ -9,6 +9,7 @@
 namespace hexoderm {
 namespace {
 
+using test::held;
 using test::StreamOptions;
 using test::SyntheticStream;
 using ::testing::MatchesRegex;
@@ -45,12 +46,6 @@ void spoil(std::vector<SampleFrame>& frames, std::uint32_t cell,
       if (sample.cell == CellId(cell)) sample.acceleration_g = spoiled(sample.acceleration_g, frame.time_s);
     }
   }
-}
-
-SyntheticStream held(double duration_s, StreamOptions options = {}) {
-  SyntheticStream stream(options);
-  stream.hold(duration_s);
-  return stream;
 }
 
 TEST(StillnessDetector, WaitsUntilItHasAWindowOfSamples) {
@@ -147,8 +142,7 @@ TEST(StillnessDetector, TheNormOfAReadingNeverBlocks) {
 }
 
 TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
-  SyntheticStream stream({.cells = 5, .offset_g = 0.1});
-  stream.hold(1.5);
+  SyntheticStream stream = held(1.5, {.cells = 5, .offset_g = 0.1});
   StillnessDetector detector(accelerometer());
   feed(detector, stream.frames);
   ASSERT_TRUE(detector.stillness().ready());
@@ -179,8 +173,7 @@ TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
 
 TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
   StillnessDetector detector(accelerometer());
-  SyntheticStream first(StreamOptions{});
-  first.hold(1.5);
+  SyntheticStream first = held(1.5);
   feed(detector, first.frames);
   detector.disarm(averageFrames(first.frames, PoseId(1), {}));
   first.frames.clear();
@@ -205,8 +198,7 @@ class StillnessDetectorWith : public ::testing::TestWithParam<BadCell> {};
 
 TEST_P(StillnessDetectorWith, OneBadCellDoesNotBlockAndIsNamed) {
   for (const double rate_hz : {100.0, 1000.0}) {
-    SyntheticStream stream({.cells = 5, .rate_hz = rate_hz, .tremor_g = 0.005});
-    stream.hold(5);
+    SyntheticStream stream = held(5, {.cells = 5, .rate_hz = rate_hz, .tremor_g = 0.005});
     stream.move(60 * kDegree, 2);
     const double still_from_s = stream.hold(6).first + 1;
     spoil(stream.frames, 3, GetParam().spoiled);
@@ -251,8 +243,7 @@ TEST(StillnessDetector, SaysWhatADeadCellReads) {
 }
 
 TEST(StillnessDetector, ACellThatTurnsAloneBlocksForAWhile) {
-  SyntheticStream stream({.cells = 5});
-  stream.hold(8);
+  SyntheticStream stream = held(8, {.cells = 5});
   spoil(stream.frames, 2,
         [](const auto&, double t) { return Eigen::Vector3d(std::cos(0.2 * t), std::sin(0.2 * t), 0); });
   StillnessDetector detector(accelerometer());

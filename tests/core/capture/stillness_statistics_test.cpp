@@ -5,6 +5,10 @@
 namespace hexoderm {
 namespace {
 
+using ::testing::_;
+using ::testing::DoubleEq;
+using ::testing::FieldsAre;
+
 HoldStatus blockedBy(Blocker blocker, double time_s, CellId cell = {}) {
   HoldStatus hold;
   hold.stillness.blocker = blocker;
@@ -29,16 +33,9 @@ TEST(StillnessStatistics, AddsUpWhatBlockedAndWhichCellDecided) {
 
   EXPECT_DOUBLE_EQ(ledger.watched_s(), 9);
   EXPECT_DOUBLE_EQ(ledger.still_s(), 3);
-  const std::vector<BlockedTime> blocked = ledger.blocked();
-  ASSERT_EQ(blocked.size(), 2U);
-  EXPECT_EQ(blocked[0].blocker, Blocker::Shaking);
-  EXPECT_DOUBLE_EQ(blocked[0].duration_s, 5);
-  EXPECT_EQ(blocked[0].cell, CellId(9));
-  EXPECT_DOUBLE_EQ(blocked[0].cell_s, 3);
-  EXPECT_EQ(blocked[1].blocker, Blocker::Waiting);
-  EXPECT_DOUBLE_EQ(blocked[1].duration_s, 1);
-  EXPECT_EQ(blocked[1].cell, CellId());
-  EXPECT_EQ(blocked[1].message.english(), "Waiting for samples");
+  const auto waiting = ::testing::Property(&Message::english, "Waiting for samples");
+  EXPECT_THAT(ledger.blocked(), ElementsAre(FieldsAre(Blocker::Shaking, DoubleEq(5), CellId(9), DoubleEq(3), waiting),
+                                            FieldsAre(Blocker::Waiting, DoubleEq(1), CellId(), _, waiting)));
 }
 
 TEST(StillnessStatistics, CountsNothingWhereTheClockGoesBack) {

@@ -115,4 +115,11 @@ class SyntheticStream {
   double now_s_ = 10;
 };
 
+/// A stream that begins with a hold.
+inline SyntheticStream held(double duration_s, const StreamOptions& options = {}) {
+  SyntheticStream stream(options);
+  stream.hold(duration_s);
+  return stream;
+}
+
 }  // namespace hexoderm::test
