@@ -82,11 +82,8 @@ TEST(Hello, CarriesBuiltInModelsByNameAndOthersWhole) {
 }
 
 TEST(Hello, OpensNoFilesForTheDevice) {
-  Hello hello = helloMessage();
-  hello.cell_model = "/etc/passwd";
-  EXPECT_THROW(cellModelOf(hello), InvalidArgument);
-  hello.cell_model = "{\"name\": 3}";
-  EXPECT_THROW(cellModelOf(hello), FormatError);
+  EXPECT_THROW(cellModelOf(helloWith(&Hello::cell_model, "/etc/passwd")), InvalidArgument);
+  EXPECT_THROW(cellModelOf(helloWith(&Hello::cell_model, "{\"name\": 3}")), FormatError);
 }
 
 }  // namespace

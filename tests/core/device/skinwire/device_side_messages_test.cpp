@@ -70,8 +70,7 @@ TEST(DeviceSide, ATopologyGoesInPartsThatFitTheBuffer) {
 
 /// Whether the library takes an Ack with this text.
 bool isTextOfAHost(const std::string& text) {
-  Bytes payload = {0x1A, static_cast<std::uint8_t>(text.size())};
-  payload.insert(payload.end(), text.begin(), text.end());
+  const Bytes payload = joined({{0x1A, static_cast<std::uint8_t>(text.size())}, Bytes(text.begin(), text.end())});
   return decodeBody(bodyOf(6, payload)).outcome == DecodeOutcome::Understood;
 }
 

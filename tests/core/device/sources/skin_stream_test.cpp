@@ -57,9 +57,7 @@ TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
 }
 
 TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed) {
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.cell_model = R"({"name": "odd", "side_m": -1})";
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::cell_model, R"({"name": "odd", "side_m": -1})"));
   take(skinwire::topologyMessage());
   EXPECT_FALSE(stream.isDescribed());
   EXPECT_THAT(stream.whatIsMissing().english(), HasSubstr("side_m"));
@@ -101,9 +99,7 @@ TEST_F(SkinStreamTest, DuplicatesAreFoundWithoutNumbersToo) {
 TEST_F(SkinStreamTest, ANewStreamOrConnectionStartsTimeAndNumbersAnew) {
   describe();
   take(oneSample(1, 1'000'000, 5000));
-  skinwire::Hello hello = skinwire::helloMessage();
-  ++hello.stream;
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::stream, skinwire::helloMessage().stream + 1));
   EXPECT_EQ(take(oneSample(1, 1000, 0)), Effect::Alive);
   stream.restart();
   describe();
@@ -199,14 +195,17 @@ TEST_F(SkinStreamTest, WhileChangesWaitTheStatusSaysSo) {
   EXPECT_EQ(listener.delivered().skins.size(), before);
 }
 
+/// Of cells that state this size of a step.
+skinwire::Hello helloOfLsb(double lsb_g) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.lsb_g = lsb_g;
+  return skinwire::helloWith(&skinwire::Hello::cell_model, cellModelToJson(model));
+}
+
 TEST_F(SkinStreamTest, SamplesAreNeverReadByTheModelThatWasBefore) {
   describe();
   for (std::uint32_t k = 1; k <= 5; ++k) {
-    CellModel model = builtInCellModel("hex-bma150");
-    model.accelerometer.lsb_g = k;
-    skinwire::Hello hello = skinwire::helloMessage();
-    hello.cell_model = cellModelToJson(model);
-    take(hello);
+    take(helloOfLsb(k));
     take(oneSample(1, 1000 * k));
   }
   // The fifth change waits, and so do samples until it is passed on.
@@ -287,11 +286,7 @@ TEST_F(SkinStreamTest, TheSameCellsAreLookedUpAgainAfterATopologyChanged) {
 }
 
 TEST_F(SkinStreamTest, LsbWithoutAScaleAreRefused) {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.lsb_g = 0;
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.cell_model = cellModelToJson(model);
-  take(hello);
+  take(helloOfLsb(0));
   take(skinwire::topologyMessage());
   EXPECT_EQ(take(skinwire::rawSamples(0, 1000)), Effect::Nothing);
   EXPECT_THAT(stream.lastRejection().english(), HasSubstr("lsb_g"));
@@ -350,9 +345,7 @@ TEST_F(SkinStreamTest, ProtocolViolationsAreToldOnceAtOnceAndThenCounted) {
 
 TEST_F(SkinStreamTest, ANewerDeviceMaySayWhatIsNotKnownYet) {
   const char* later = R"({"later_message": {}})";
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.minor = skinwire::kMinor + 1;
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::minor, skinwire::kMinor + 1));
   take(skinwire::decodeLine(later));
   EXPECT_THAT(status().offences, testing::IsEmpty());
   take(skinwire::helloMessage());
@@ -379,9 +372,7 @@ TEST_F(SkinStreamTest, ADeviceThatNeverDescribesItselfIsNamed) {
 }
 
 TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.device = "red\x1b[31m";
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::device, "red\x1b[31m"));
   take(skinwire::topologyMessage());
   EXPECT_EQ(listener.delivered().skins[0].device.english(), "red [31m");
 }
