@@ -1,5 +1,6 @@
 #include "hexoderm/io/placements_json.h"
 
+#include "tests/support/session_matchers.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm {
@@ -15,14 +16,7 @@ std::vector<PatchOnLink> somePlacements() {
 TEST(PlacementsJson, ReadsBackWhatWasWritten) {
   const std::vector<PatchOnLink> before = somePlacements();
   const std::vector<PatchOnLink> after = placementsFromJson(placementsToJson(before), "a.json");
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t k = 0; k < after.size(); ++k) {
-    EXPECT_EQ(after[k].origin, before[k].origin);
-    EXPECT_EQ(after[k].link, before[k].link);
-    EXPECT_EQ(after[k].T_l_o.R, before[k].T_l_o.R);
-    EXPECT_EQ(after[k].T_l_o.t, before[k].T_l_o.t);
-    EXPECT_EQ(after[k].cov_t_r, before[k].cov_t_r);
-  }
+  test::expectSameItems(after, before, test::expectSamePlace);
 }
 
 TEST(PlacementsJson, SaysWhatIsWrongAndWhere) {
