@@ -131,4 +131,13 @@ inline Session sessionWithEverything() {
   return session;
 }
 
+/// A session that no file takes: cell 1 reads no number in pose 7.
+inline Session sessionWithABadReading() {
+  Session session(builtInCellModel("hex-bma150"), {});
+  const Eigen::Vector3d bad_g(0, std::numeric_limits<double>::quiet_NaN(), 1);
+  session.addPose({std::make_shared<const PoseCapture>(
+      PoseCapture{PoseId(7), {}, {{CellId(1), bad_g, Eigen::Matrix3d::Zero(), 1}}})});
+  return session;
+}
+
 }  // namespace hexoderm::test

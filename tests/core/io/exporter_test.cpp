@@ -194,7 +194,7 @@ TEST(PatchesLeftOut, AreNamedOrCounted) {
               HasSubstr("Not in the file: 4000 patches (4000 cells)"));
 }
 
-TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
+TEST(MeshFormats, RefuseNoCellsAndPlacesThatSinglePrecisionCannotHold) {
   Reconstruction reconstruction = makeTestReconstruction();
   for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
     reconstruction.patches[0].cells[2].T_o_u.t.x() = kMaxLength_m;
@@ -202,11 +202,6 @@ TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
     reconstruction.patches[0].cells[2].T_o_u.t.x() = -1e36;
     EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}, "f"); }),
                 HasSubstr("cell 12: the single precision"));
-  }
-}
-
-TEST(MeshFormats, RefuseAReconstructionWithoutCells) {
-  for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
     EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(test::ResultBuilder().build(), format, {}, "f"); }),
                 HasSubstr("no cells"));
   }

@@ -184,12 +184,7 @@ TEST(SessionJson, IsWrittenWholeOrNotAtAll) {
   writeSessionJson(session, path);
   EXPECT_EQ(readFile(path), sessionToJson(session));
 
-  Session bad(builtInCellModel("hex-bma150"), {});
-  PoseCapture capture;
-  capture.id = PoseId(7);
-  capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
-  bad.addPose({std::make_shared<const PoseCapture>(capture), false});
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionJson(bad, path); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionJson(test::sessionWithABadReading(), path); }),
               saysAll("out.session.json: pose 7: cell 1: the mean must be finite"));
   EXPECT_EQ(readFile(path), sessionToJson(session)) << "the earlier file is intact";
   EXPECT_THROW(writeSessionJson(session, folder.path()), StorageError);

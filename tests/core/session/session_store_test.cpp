@@ -45,11 +45,7 @@ TEST_F(SessionStoreTest, NeverReplacesAFile) {
 }
 
 TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
-  Session bad = emptySession();
-  PoseCapture capture;
-  capture.id = PoseId(7);
-  capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
-  bad.addPose({std::make_shared<const PoseCapture>(capture)});
+  const Session bad = test::sessionWithABadReading();
   EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }),
               saysAll("arm.hexo: pose 7: cell 1: the mean must be finite"));
   EXPECT_EQ(folder_.entryCount(), 0U);

@@ -73,9 +73,7 @@ TEST(WireSource, StopsInEveryState) {
     if (k % 2 == 0) device.accept();
     source->stop();
     source->stop();
-    const std::size_t before = listener.delivered().statuses.size();
     EXPECT_EQ(listener.delivered().status().state, SourceState::Stopped);
-    EXPECT_EQ(listener.delivered().statuses.size(), before);
   }
   const auto never_started = wireSource("tcp://localhost:7700");
   never_started->stop();
