@@ -14,10 +14,8 @@ namespace {
 class CaptureWorkflowTest : public testing::Test, public CaptureOwner {
  protected:
   CaptureWorkflowTest() {
-    description_.device = Message::verbatim("test skin");
-    description_.model = std::make_shared<const CellModel>(skin_.model());
-    description_.neighbors = skin_.neighbors();
-    description_.can_turn = true;
+    description_ = {Message::verbatim("test skin"), std::make_shared<const CellModel>(skin_.model()), skin_.neighbors(),
+                    false, true};
     begin({});
   }
 

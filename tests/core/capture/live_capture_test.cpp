@@ -43,12 +43,8 @@ class ScriptedSource final : public SkinSource {
   [[nodiscard]] std::string address() const override { return "script"; }
 
   void describe(bool can_turn) {
-    SkinDescription description;
-    description.device = Message::verbatim("test skin");
-    description.model = std::make_shared<const CellModel>(skin_.model());
-    description.neighbors = skin_.neighbors();
-    description.can_turn = can_turn;
-    listener_->onSkin(description);
+    listener_->onSkin({Message::verbatim("test skin"), std::make_shared<const CellModel>(skin_.model()),
+                       skin_.neighbors(), false, can_turn});
     say(SourceState::Streaming);
   }
   void say(SourceState state) {

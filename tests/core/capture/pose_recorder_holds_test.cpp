@@ -19,8 +19,7 @@ void feedHolds(SimulatedSkin& skin, PoseRecorder& recorder, std::size_t poses, s
   for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
     std::vector<SampleFrame> hold = skin.record(up, hold_frames);
     for (int k = 1; k < 1000 && !last.empty(); ++k) {
-      SampleFrame move;
-      move.time_s = time_s += 0.001;
+      SampleFrame move{time_s += 0.001};
       for (std::size_t c = 0; c < last.size(); ++c) {
         const Eigen::Vector3d& from = last[c].acceleration_g;
         const Eigen::Vector3d& to = hold.front().samples[c].acceleration_g;

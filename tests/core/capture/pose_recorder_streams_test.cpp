@@ -124,8 +124,7 @@ TEST_F(PoseRecorderTest, PoolsMeansThatTheDeviceMadeByTheirCounts) {
   std::vector<SampleFrame> means;
   for (std::size_t k = 0, size = 10; k + size <= stream.frames.size(); k += size, size = 10 + (k / 10) % 21) {
     const auto batch = std::span(stream.frames).subspan(k, size);
-    SampleFrame frame;
-    frame.time_s = batch.back().time_s;
+    SampleFrame frame{batch.back().time_s};
     for (const GravitySample& sample : averageFrames(batch, PoseId(1), {}).samples) {
       frame.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
     }

@@ -351,8 +351,7 @@ TEST(StillnessDetector, JudgesMeansThatTheDeviceMade) {
     for (const SampleFrame& frame : stream.frames) {
       batch.push_back(frame);
       if (frame.time_s < batch.front().time_s + mean_s) continue;
-      SampleFrame means;
-      means.time_s = frame.time_s;
+      SampleFrame means{frame.time_s};
       for (const GravitySample& sample : averageFrames(batch, PoseId(1), {}).samples) {
         means.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
       }

@@ -1,5 +1,6 @@
 #include "hexoderm/capture/stillness_statistics.h"
 
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm {
@@ -27,9 +28,7 @@ TEST(StillnessStatistics, AddsUpWhatBlockedAndWhichCellDecided) {
   ledger.add(blockedBy(Blocker::Shaking, 15, CellId(9)));
   ledger.add(blockedBy(Blocker::Shaking, 16, CellId(7)));
   ledger.add(blockedBy(Blocker::None, 18));
-  HoldStatus collecting = blockedBy(Blocker::NotMoved, 19);
-  collecting.phase = HoldPhase::Collecting;
-  ledger.add(collecting);
+  ledger.add(test::with(blockedBy(Blocker::NotMoved, 19), &HoldStatus::phase, HoldPhase::Collecting));
 
   EXPECT_DOUBLE_EQ(ledger.watched_s(), 9);
   EXPECT_DOUBLE_EQ(ledger.still_s(), 3);

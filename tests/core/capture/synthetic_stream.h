@@ -83,8 +83,7 @@ class SyntheticStream {
           force(axis) += options_.tremor_g * std::sqrt(2.0 / 3) * std::sin(rate_rad_s * now_s_ + phase);
         }
       }
-      SampleFrame frame;
-      frame.time_s = now_s_;
+      SampleFrame frame{now_s_};
       for (std::size_t k = 0; k < cells_.size(); ++k) {
         Eigen::Vector3d reading = options_.gain * (cells_[k].R_u_b * force) + cells_[k].offset_g;
         reading += options_.noise_g * randomVector();

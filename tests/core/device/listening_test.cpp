@@ -8,13 +8,11 @@ namespace hexoderm {
 namespace {
 
 SkinDescription threeCells() {
-  SkinDescription skin;
-  skin.device = Message::verbatim("three cells");
-  skin.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
-  skin.neighbors = {{CellId(1), "", {{PortNumber(1), CellId(2), PortNumber(3)}}},
-                    {CellId(2), "", {{PortNumber(3), CellId(1), PortNumber(1)}}},
-                    {CellId(3), "", {{PortNumber(1), CellId(2), PortNumber(4)}}}};
-  return skin;
+  return {Message::verbatim("three cells"),
+          std::make_shared<const CellModel>(builtInCellModel("hex-bma150")),
+          {{CellId(1), "", {{PortNumber(1), CellId(2), PortNumber(3)}}},
+           {CellId(2), "", {{PortNumber(3), CellId(1), PortNumber(1)}}},
+           {CellId(3), "", {{PortNumber(1), CellId(2), PortNumber(4)}}}}};
 }
 
 /// Simulated readings at 200 Hz of cells 1 and 2, while the part turns by a degree a second.
@@ -24,8 +22,7 @@ Listening heard(double noise_g, int frames) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, noise_g);
   for (int k = 0; k < frames; ++k) {
-    SampleFrame frame;
-    frame.time_s = 10 + 0.005 * k;
+    SampleFrame frame{10 + 0.005 * k};
     const double angle = 0.0175 * 0.005 * k;
     for (const std::uint32_t cell : {1U, 2U}) {
       frame.samples.push_back({CellId(cell), Eigen::Vector3d(std::sin(angle) + noise(random), noise(random),

@@ -1,6 +1,7 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/tum_xml.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 #include <pugixml.hpp>
@@ -27,8 +28,7 @@ TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
 
 TEST(ExportTum, SaysWhereEveryRootCellIsInItsLink) {
   const SE3 T_hand_20{rotationFromRpy({0.4, -0.9, 2.5}), {0.25, 0, -0.125}};
-  ExportOptions options;
-  options.placements = {{CellId(20), "hand", T_hand_20, {}}};
+  const ExportOptions options = test::with(&ExportOptions::placements, {{CellId(20), "hand", T_hand_20, {}}});
   const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Tum, options, "skin.xml");
   pugi::xml_document document;
   ASSERT_TRUE(document.load_buffer(text.data(), text.size()));

@@ -118,15 +118,13 @@ TEST_P(EveryExportOfPatches, NeverHoldsTwoPatchesAtOnePlaceUnasked) {
 TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
   const Reconstruction two = makeTestReconstruction();
   for (const auto& [cell, index] : {std::pair(3U, 0U), std::pair(7U, 0U), std::pair(20U, 1U)}) {
-    ExportOptions options = needed();
-    options.patch = CellId(cell);
+    const ExportOptions options = test::with(needed(), &ExportOptions::patch, CellId(cell));
     EXPECT_EQ(contents(two, options), contents(withPatch(index))) << cell;
     const std::vector<PatchLeftOut> left_out = patchesLeftOut(two, GetParam(), options);
     ASSERT_EQ(left_out.size(), 1U);
     EXPECT_EQ(left_out[0].patch, PatchId(1 - index));
   }
-  ExportOptions options = needed();
-  options.patch = CellId(99);
+  ExportOptions options = test::with(needed(), &ExportOptions::patch, CellId(99));
   EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("no patch holds a cell 99"));
   options.patch = CellId(7);
   options.all_patches = true;
@@ -135,8 +133,7 @@ TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
 
 TEST_P(EveryExportOfPatches, HoldsAllOfThemWhereItCanTellThemApart) {
   const Reconstruction two = makeTestReconstruction();
-  ExportOptions options = needed();
-  options.all_patches = true;
+  const ExportOptions options = test::with(needed(), &ExportOptions::all_patches, true);
   if (description().patches != PatchesInFile::All && description().patches != PatchesInFile::AllIfAsked) {
     EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("has one frame"));
     EXPECT_THROW(patchesLeftOut(two, GetParam(), options), InvalidArgument);

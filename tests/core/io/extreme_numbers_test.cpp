@@ -207,13 +207,12 @@ TEST_F(ExtremeExports, AStoreRefusesWhatAFileDoes) {
 }
 
 TEST(ExtremeNumbers, AMeanOfAbsurdReadingsIsNotTaken) {
-  SampleFrame frame;
-  frame.samples = {{CellId(1), {0, 0, 1e30}}, {CellId(2), {0, 0, 1}}};
-  frame.means = {{CellId(3), {0, 1e7, 0}, {0, 0, 0}, 5},
-                 {CellId(4), {0, 1, 0}, {1e30, 0, 0}, 5},
-                 {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX},
-                 {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX}};
-  const std::array frames = {frame};
+  const std::array frames = {SampleFrame{0,
+                                         {{CellId(1), {0, 0, 1e30}}, {CellId(2), {0, 0, 1}}},
+                                         {{CellId(3), {0, 1e7, 0}, {0, 0, 0}, 5},
+                                          {CellId(4), {0, 1, 0}, {1e30, 0, 0}, 5},
+                                          {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX},
+                                          {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX}}}};
   const PoseCapture pose = averageFrames(frames, PoseId(1), {});
   ASSERT_EQ(pose.samples.size(), 2U);
   EXPECT_EQ(pose.samples[0].cell, CellId(2));

@@ -5,6 +5,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/skin_graph.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/paths.h"
 #include "tests/support/testing.h"
 
@@ -27,11 +28,10 @@ bool has(const Reconstruction& result, FindingCode code) {
 /// Cells of which each is placed in the frame of `root`, joined as the reports say.
 TumSkinConfig::Cell cellAt(std::uint32_t id, std::uint32_t root, const SE3& T_root_u,
                            std::vector<NeighborReport> neighbors) {
-  TumSkinConfig::Cell cell;
-  cell.report = {CellId(id), "", std::move(neighbors)};
-  cell.root = CellId(root);
-  cell.T_root_u = T_root_u;
-  return cell;
+  return {{CellId(id), "", std::move(neighbors)}, 0, 0, CellId(root), T_root_u};
+}
+std::shared_ptr<const Reconstruction> imported(const std::vector<TumSkinConfig::Cell>& cells) {
+  return calibrationFromTum(test::with(&TumSkinConfig::cells, cells), hex(), "t.xml");
 }
 NeighborReport joined(std::uint32_t port, std::uint32_t cell) { return {PortNumber(port), CellId(cell), std::nullopt}; }
 
@@ -94,10 +94,8 @@ TEST(TumXml, TakesTheSmallestCellWhereTheRootLiesElsewhere) {
   // Cells 3 and 5 are placed in the frame of cell 9, which has no link to them.
   const SE3 T_9_3{expSO3({0.1, 0.2, 0.3}), {0.1, 0, 0}};
   const SE3 T_3_5 = linkTransform(expSO3({0, 0.1, 0}), hex().port(PortNumber(2)), hex().port(PortNumber(3)));
-  TumSkinConfig config;
-  config.cells = {cellAt(9, 9, {}, {}), cellAt(5, 9, T_9_3 * T_3_5, {joined(3, 3)}),
-                  cellAt(3, 9, T_9_3, {joined(2, 5)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result = imported(
+      {cellAt(9, 9, {}, {}), cellAt(5, 9, T_9_3 * T_3_5, {joined(3, 3)}), cellAt(3, 9, T_9_3, {joined(2, 5)})});
   ASSERT_EQ(result->patches.size(), 2U);
   EXPECT_EQ(result->patches[0].origin, CellId(3));
   EXPECT_THAT(result->find(CellId(3)).cell->T_o_u, SE3Near(SE3(), 0, 0));
@@ -107,18 +105,14 @@ TEST(TumXml, TakesTheSmallestCellWhereTheRootLiesElsewhere) {
 TEST(TumXml, PlacesCellsRelativeToARootThatIsNotAtZero) {
   const SE3 T_r_1{expSO3({0, 0, 1}), {1, 2, 3}};
   const SE3 T_1_2 = linkTransform(expSO3({0, 0.1, 0}), hex().port(PortNumber(2)), hex().port(PortNumber(3)));
-  TumSkinConfig config;
-  config.cells = {cellAt(1, 1, T_r_1, {joined(2, 2)}), cellAt(2, 1, T_r_1 * T_1_2, {joined(3, 1)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result = imported({cellAt(1, 1, T_r_1, {joined(2, 2)}), cellAt(2, 1, T_r_1 * T_1_2, {joined(3, 1)})});
   EXPECT_EQ(result->patches.at(0).origin, CellId(1));
   EXPECT_THAT(result->find(CellId(2)).cell->T_o_u, SE3Near(T_1_2, 1e-12, 1e-12));
 }
 
 TEST(TumXml, EndsAPatchWhereTheFrameEnds) {
   // A link between cells of two root cells says nothing about how the frames lie to each other.
-  TumSkinConfig config;
-  config.cells = {cellAt(1, 1, {}, {joined(2, 2)}), cellAt(2, 2, {}, {joined(3, 1)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result = imported({cellAt(1, 1, {}, {joined(2, 2)}), cellAt(2, 2, {}, {joined(3, 1)})});
   EXPECT_EQ(result->patches.size(), 2U);
   ASSERT_TRUE(has(*result, FindingCode::BodyPartBoundary));
   ASSERT_EQ(result->linkCount(), 1U);
@@ -127,9 +121,8 @@ TEST(TumXml, EndsAPatchWhereTheFrameEnds) {
 }
 
 TEST(TumXml, TurnsContradictionsIntoFindings) {
-  TumSkinConfig config;
-  config.cells = {cellAt(1, 1, {}, {joined(2, 2), joined(1, 1), joined(4, 99)}), cellAt(2, 1, {}, {joined(7, 1)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result =
+      imported({cellAt(1, 1, {}, {joined(2, 2), joined(1, 1), joined(4, 99)}), cellAt(2, 1, {}, {joined(7, 1)})});
   EXPECT_TRUE(has(*result, FindingCode::OneSidedLink));
   EXPECT_TRUE(has(*result, FindingCode::SelfLink));
   EXPECT_TRUE(has(*result, FindingCode::UnknownCell));

@@ -96,8 +96,7 @@ TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheS
 TEST_F(SessionStoreTest, UndoOfARecaptureThatKeepsTheNumberBringsTheOldReadingsBack) {
   SessionStore store = SessionStore::create(path_, emptySession());
   const AddPose before = capture(2, 0.25);
-  AddPose again = capture(2, 0.5);
-  again.index = 0;
+  const AddPose again = test::with(capture(2, 0.5), &AddPose::index, 0);
   appendTo(store, before);
   appendTo(store, RemovePose{0});
   appendTo(store, again);
@@ -134,13 +133,10 @@ TEST_F(SessionStoreTest, KeepsEveryEdit) {
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   EXPECT_EQ(store.options(), "{}");
-  CellModel model = builtInCellModel("hex-bma150");
-  model.name = "other";
-  GroundTruth truth;
-  truth.frame = "elbow";
+  const CellModel model = test::with(builtInCellModel("hex-bma150"), &CellModel::name, "other");
   const std::vector<StoreOperation> operations = {
       SetSkin{std::make_shared<const CellModel>(model), {{CellId(9), "hand", {}}}},
-      SetSource{{Message::verbatim("a new source"), "", ""}}, SetTruth{truth},
+      SetSource{{Message::verbatim("a new source"), "", ""}}, SetTruth{{"elbow", {}}},
       SetOptions{R"({"solver": "tree", "class_threshold": 1.0})"}};
   store.append(operations);
   const SessionStore reader = SessionStore::openReadOnly(path_);
@@ -301,10 +297,8 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   device->push_back({1e9 + 0.001, {{CellId(1), {0.00390625, -1.5, 0.99609375}}}, {}, {}});
 
   SessionStore store = SessionStore::create(path_, emptySession());
-  AddPose first = capture(1, 0.5);
-  first.raw = exact;
-  AddPose second = capture(2, 0.5);
-  second.raw = device;
+  const AddPose first = test::with(capture(1, 0.5), &AddPose::raw, exact);
+  const AddPose second = test::with(capture(2, 0.5), &AddPose::raw, device);
   store.append(std::vector<StoreOperation>{first, second, capture(3, 0.5)});
   appendTo(store, RemovePose{0});
   appendTo(store, RestorePose{first.pose, 2});

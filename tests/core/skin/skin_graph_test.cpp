@@ -1,5 +1,6 @@
 #include "hexoderm/skin/skin_graph.h"
 
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm {
@@ -138,8 +139,7 @@ TEST(SkinGraph, TwoHexagonsAreNotJoinedTwice) {
 }
 
 TEST(SkinGraph, ForbiddenPortPairsAreMuted) {
-  CellModel strict = model();
-  strict.forbidden_port_pairs = {{PortNumber(4), PortNumber(1)}};
+  const CellModel strict = test::with(model(), &CellModel::forbidden_port_pairs, {{PortNumber(4), PortNumber(1)}});
   const SkinGraph graph(strict, line());
   EXPECT_EQ(codes(graph), (std::vector{FindingCode::ForbiddenPortPair, FindingCode::ForbiddenPortPair}));
   EXPECT_EQ(usedLinks(graph), 0);

@@ -11,8 +11,7 @@ namespace {
 constexpr double kLsb_g = 0.0039;
 
 SampleFrame quantised(double time_s, std::uint32_t cells) {
-  SampleFrame frame;
-  frame.time_s = time_s;
+  SampleFrame frame{time_s};
   for (std::uint32_t id = 1; id <= cells; ++id) {
     frame.samples.push_back({CellId(id), Eigen::Vector3d(id % 512, -1.0, 256) * kLsb_g});
   }

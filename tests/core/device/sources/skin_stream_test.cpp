@@ -2,6 +2,7 @@
 
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm {
@@ -263,9 +264,7 @@ TEST_F(SkinStreamTest, TheRateIsJudgedInWhateverOrderCellsComeIfNoneIsLost) {
 
 TEST_F(SkinStreamTest, ACellTwiceInAMessageIsRefused) {
   describe();
-  Samples samples = skinwire::rawSamples(0, 1000);
-  samples.cells = {1, 1};
-  EXPECT_EQ(take(samples), Effect::Nothing);
+  EXPECT_EQ(take(test::with(skinwire::rawSamples(0, 1000), &Samples::cells, {1, 1})), Effect::Nothing);
   // Nothing remembered of the refused message may be used for one without cells.
   const Samples temperature{.time_us = 2000, .temperature_cells = {1}, .temperature_c = {20}};
   EXPECT_EQ(take(temperature), Effect::Alive);

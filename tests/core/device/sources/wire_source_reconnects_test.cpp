@@ -1,6 +1,7 @@
 // Wires that are lost, silent or not there: when it is said, and when the connection is made anew.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 #include <chrono>
@@ -85,9 +86,8 @@ TEST(WireSource, CountsTheSecondsToTheNextTryDown) {
 }
 
 TEST(WireSource, CountsTheSecondsOfSilenceDownToTheNextConnection) {
-  WireOptions options = quick();
-  options.reconnect_after = std::chrono::seconds(3);
-  auto [device, listener, source] = started<TcpDevice>(options);
+  auto [device, listener, source] =
+      started<TcpDevice>(test::with(quick(), &WireOptions::reconnect_after, std::chrono::seconds(3)));
   DeviceConnection silent = device.accept();
   describe(silent);
   for (const char* left : {"3 s", "2 s", "1 s"}) {
@@ -101,9 +101,8 @@ std::size_t openDescriptors() {
 }
 
 TEST(WireSource, AThousandReconnectsLeaveNothingOpen) {
-  WireOptions options = patient();
-  options.first_retry = milliseconds(1);
-  auto [device, listener, source] = started<TcpDevice>(options);
+  auto [device, listener, source] =
+      started<TcpDevice>(test::with(patient(), &WireOptions::first_retry, milliseconds(1)));
   std::size_t after_ten = 0;
   for (int k = 0; k < 1000; ++k) {
     DeviceConnection connection = device.accept();

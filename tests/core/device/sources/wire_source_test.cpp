@@ -1,6 +1,7 @@
 #include "hexoderm/device/sources/wire_source.h"
 
 #include "tests/core/device/sources/wire_source_fixture.h"
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm::wire_source_test {
@@ -37,9 +38,8 @@ TEST(WireSource, FindsAHostByName) {
 }
 
 TEST(WireSource, UdpDevicesAreAskedAndKeptSending) {
-  WireOptions options = patient();
-  options.describe_every = milliseconds(50);
-  auto [device, listener, source] = started<UdpDevice>(options);
+  auto [device, listener, source] =
+      started<UdpDevice>(test::with(patient(), &WireOptions::describe_every, milliseconds(50)));
   EXPECT_EQ(device.receive().request, skinwire::Request(skinwire::Describe{}));
   describe(device);
   ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));

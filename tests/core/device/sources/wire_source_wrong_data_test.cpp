@@ -1,6 +1,7 @@
 // Data that is cut off, broken, lost, of another version or at another baud rate.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
+#include "tests/support/options.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm::wire_source_test {
@@ -75,8 +76,7 @@ bool saysViolation(CollectingListener& listener, ProtocolViolationKind kind, con
 }
 
 TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
-  WireOptions options = quick();
-  options.reconnect_after = test::kForever;
+  const WireOptions options = test::with(quick(), &WireOptions::reconnect_after, test::kForever);
   const skinwire::Bytes broken = {9, 17, 3, 200, 200, 0};
   const skinwire::Bytes framing_errors(30, 0);
   for (const skinwire::Bytes& bytes : {broken, framing_errors}) {
@@ -90,9 +90,8 @@ TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
 }
 
 TEST(WireSource, ASerialDeviceThatDoesNotHearIsAskedForItsRx) {
-  WireOptions options = patient();
-  options.describe_every = milliseconds(50);
-  auto [device, listener, source] = started<SerialDevice>(options);
+  auto [device, listener, source] =
+      started<SerialDevice>(test::with(patient(), &WireOptions::describe_every, milliseconds(50)));
   device.receive();
   device.send(skinwire::rawSamples(0, 1000));
   EXPECT_TRUE(saysViolation(listener, ProtocolViolationKind::NotDescribed, "did not answer Describe"));

@@ -16,6 +16,10 @@ std::vector<std::string> namesOf(const LinkCandidate& candidate) {
   for (const PatchTurn& turn : candidate.links) names.push_back(turn.link);
   return names;
 }
+/// The operator says which link a patch is on.
+LinksOptions chosen(CellId origin, const std::string& link) {
+  return test::with(withoutLever(), &LinksOptions::chosen, {{origin, link}});
+}
 std::vector<std::string> findingsOf(const LinksResult& result) {
   std::vector<std::string> texts;
   for (const Message& finding : result.findings) texts.push_back(finding.english());
@@ -97,8 +101,7 @@ TEST(Links, ALargeZeroIsSaid) {
   ASSERT_NE(zero, result.robot->zeros.end());
   EXPECT_TRUE(zero->shown);
   EXPECT_NEAR(zero->zero_rad, 3 * kDegree, 3 * zero->sigma_rad);
-  LinksOptions exact = withoutLever();
-  exact.joint_zeros = false;
+  const LinksOptions exact = test::with(withoutLever(), &LinksOptions::joint_zeros, false);
   for (const JointZero& none : arm.find(exact).robot.value_or(RobotEstimate()).zeros) EXPECT_EQ(none.zero_rad, 0);
 }
 
@@ -118,8 +121,7 @@ TEST(Links, OnePoseFitsAnyLink) {
 TEST(Links, WithAJointBetweenThatNeverMovedAreOneCandidate) {
   DrawnArm still(DrawnArmOptions{.links = {"l5"}, .poses = 8});
   for (auto& [pose, angles] : still.angles) angles.positions["j6"] = 0.4;
-  LinksOptions find = withoutLever();
-  const LinksResult result = still.find(find);
+  const LinksResult result = still.find();
   const PatchLinks& patch = result.patches.front();
   ASSERT_EQ(patch.candidates.size(), 1U) << patch.why;
   EXPECT_THAT(namesOf(patch.candidates.front()), ::testing::ElementsAre("l5", "l6", "finger"));
@@ -127,9 +129,7 @@ TEST(Links, WithAJointBetweenThatNeverMovedAreOneCandidate) {
   EXPECT_THAT(patch.why.english(), HasSubstr("which these poses can't tell apart: l5, l6 and finger"));
   EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("from pose to pose, with their axes level: j6"));
 
-  LinksOptions picked = find;
-  picked.chosen[result.patches.front().origin] = "l6";
-  const LinksResult placed = still.find(picked);
+  const LinksResult placed = still.find(chosen(patch.origin, "l6"));
   ASSERT_TRUE(placed.patches.front().placed.has_value());
   EXPECT_EQ(placed.patches.front().placed->link, "l6");
   EXPECT_TRUE(placed.patches.front().chosen);
@@ -145,9 +145,7 @@ TEST(Links, OnTheBaseTheTurnAboutTheVerticalStaysOpen) {
   EXPECT_LT(angleBetween(patch.open_axis_l->cwiseAbs(), Eigen::Vector3d::UnitZ()), 5 * kDegree);
   EXPECT_THAT(patch.why.english(), HasSubstr("about one axis is not determined"));
   EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("with their axes level: j1"));
-  LinksOptions put = withoutLever();
-  put.chosen[patch.origin] = "base";
-  EXPECT_THAT(DrawnArm(options).find(put).patches.front().what_would_tell.english(),
+  EXPECT_THAT(DrawnArm(options).find(chosen(patch.origin, "base")).patches.front().what_would_tell.english(),
               HasSubstr("No joint moves link base"));
 }
 
@@ -191,9 +189,7 @@ TEST(Links, APatchOnNoLinkIsOnNone) {
   EXPECT_THAT(findingsOf(result), Contains(lost.why.english()));
   EXPECT_EQ(result.robot->patches.size(), 1U);
 
-  LinksOptions by_hand = withoutLever();
-  by_hand.chosen[lost.origin] = "l5";
-  const LinksResult forced = arm.find(by_hand);
+  const LinksResult forced = arm.find(chosen(lost.origin, "l5"));
   ASSERT_TRUE(forced.patches[1].placed.has_value()) << "the operator's word counts";
   EXPECT_THAT(findingsOf(forced), Contains(HasSubstr("was put on link l5, which doesn't fit")));
 }
@@ -254,8 +250,7 @@ TEST(Links, APoseWithTheAnglesOfAnotherOneIsNamed) {
 TEST(Links, ABaseThatHangsOrMovedIsSaid) {
   const DrawnArmOptions options{.poses = 8};
   const DrawnArm arm(options);
-  LinksOptions hanging = withoutLever();
-  hanging.up_w = -Eigen::Vector3d::UnitZ();
+  const LinksOptions hanging = test::with(withoutLever(), &LinksOptions::up_w, -Eigen::Vector3d::UnitZ());
   EXPECT_THAT(findingsOf(arm.find(hanging)), Contains(HasSubstr("the patches fit with +z of its frame upwards")));
 
   DrawnArm moved(options);
@@ -297,12 +292,10 @@ TEST(Links, PosesAndLinksWithoutAnglesAreLeftOut) {
 
 TEST(Links, BadInputIsRefusedText) {
   const DrawnArm arm(DrawnArmOptions{});
-  LinksOptions options;
-  options.chosen[CellId(100)] = "l33";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.find(options)); }), HasSubstr("l33"));
-  options.chosen.clear();
-  options.chosen[CellId(7)] = "l3";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.find(options)); }), HasSubstr("no cell 7"));
+  for (const auto& [cell, link, says] : {std::tuple(100U, "l33", "l33"), std::tuple(7U, "l3", "no cell 7")}) {
+    const LinksOptions options = chosen(CellId(cell), link);
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.find(options)); }), HasSubstr(says));
+  }
 
   DrawnArm filed(DrawnArmOptions{});
   for (PatchReconstruction& patch : filed.reconstruction.patches) patch.gravity_covariance = nullptr;
@@ -387,26 +380,19 @@ constexpr int kSimulatedRobots = test::kSlowBuild ? 1 : 20;
 // Sensors of 60 mg, joints off by 0.5 degrees and a base tilted by 1 degree (1 sigma each), three
 // patches.
 TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
-  struct Case {
-    std::string name;
-    std::size_t poses;
-    bool motors;
-  };
-  for (const Case& c :
-       {Case{"still, 4 poses", 4, false}, Case{"still, 8 poses", 8, false}, Case{"motors, 8 poses", 8, true}}) {
-    SimulatedLinksOptions options;
-    options.poses = c.poses;
-    options.motors = c.motors;
+  const std::pair<std::string, SimulatedLinksOptions> cases[] = {
+      {"still, 4 poses", {.poses = 4}}, {"still, 8 poses", {.poses = 8}}, {"motors, 8 poses", {.motors = true}}};
+  for (const auto& [name, options] : cases) {
     const LinksTally tally = tallySimulatedLinks(options, kSimulatedRobots);
-    RecordProperty(c.name, inWords(tally));
-    EXPECT_EQ(tally.wrong, 0) << c.name;
-    EXPECT_LE(tally.none, 0.01 * tally.patches) << c.name;
+    RecordProperty(name, inWords(tally));
+    EXPECT_EQ(tally.wrong, 0) << name;
+    EXPECT_LE(tally.none, 0.01 * tally.patches) << name;
     if (test::kSlowBuild) continue;
-    EXPECT_GT(meanOf(tally.turn_nees), 0.7) << c.name;
-    EXPECT_LT(meanOf(tally.turn_nees), 1.5) << c.name;
-    EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << c.name;
-    EXPECT_LT(meanOf(tally.zero_nees), 1.8) << c.name;
-    EXPECT_LT(meanOf(tally.tilt_nees), 1.8) << c.name;
+    EXPECT_GT(meanOf(tally.turn_nees), 0.7) << name;
+    EXPECT_LT(meanOf(tally.turn_nees), 1.5) << name;
+    EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << name;
+    EXPECT_LT(meanOf(tally.zero_nees), 1.8) << name;
+    EXPECT_LT(meanOf(tally.tilt_nees), 1.8) << name;
   }
 }
 
