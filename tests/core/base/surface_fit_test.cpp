@@ -12,15 +12,11 @@ using Points = std::vector<Eigen::Vector3d>;
 const SE3 kSomewhere{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
 
 Points moved(const SE3& T, const Points& points) {
-  Points result;
-  for (const Eigen::Vector3d& x : points) result.push_back(T * x);
-  return result;
+  return collect(points, [&T](const Eigen::Vector3d& x) { return Eigen::Vector3d(T * x); });
 }
 
 Points scaled(double factor, const Points& points) {
-  Points result;
-  for (const Eigen::Vector3d& x : points) result.emplace_back(factor * x);
-  return result;
+  return collect(points, [factor](const Eigen::Vector3d& x) { return Eigen::Vector3d(factor * x); });
 }
 
 Points noisy(double sigma, const Points& points) {

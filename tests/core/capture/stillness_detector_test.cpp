@@ -32,10 +32,8 @@ double stillShare(StillnessDetector& detector, const std::vector<SampleFrame>& f
 }
 
 const OddCell* oddOne(const Stillness& stillness, std::uint32_t cell) {
-  for (const OddCell& odd : stillness.odd_cells) {
-    if (odd.cell == CellId(cell)) return &odd;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(stillness.odd_cells, CellId(cell), &OddCell::cell);
+  return found == stillness.odd_cells.end() ? nullptr : &*found;
 }
 
 /// Changes the readings of one cell.

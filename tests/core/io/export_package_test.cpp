@@ -26,9 +26,7 @@ class ExportPackage : public ExportTest {
              {"Grüße.txt", "", message("nothing at all")}}};
   }
   static std::vector<std::string> namesOf(const std::vector<PackageEntry>& entries) {
-    std::vector<std::string> names;
-    for (const PackageEntry& entry : entries) names.push_back(entry.name);
-    return names;
+    return collect(entries, &PackageEntry::name);
   }
 
   /// As it is read back: a calibration has a residual, or none, for each link in each pose.

@@ -21,9 +21,9 @@ TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
   EXPECT_LT((third.T_root_u.R - reconstruction.patches[0].cells[2].T_o_u.R).norm(), 1e-9);
   EXPECT_EQ(config.cells[3].root, CellId(20));
   EXPECT_EQ(config.cells[3].patch, 2U);
-  std::vector<std::uint32_t> neighbors;
-  for (const NeighborReport& neighbor : config.cells[1].report.neighbors) neighbors.push_back(neighbor.cell.value());
-  EXPECT_THAT(neighbors, ElementsAre(12, 12, 3, 20)) << "cell 7, the links that are not used too";
+  EXPECT_THAT(collect(config.cells[1].report.neighbors, &NeighborReport::cell),
+              ElementsAre(CellId(12), CellId(12), CellId(3), CellId(20)))
+      << "cell 7, the links that are not used too";
 }
 
 TEST(ExportTum, SaysWhereEveryRootCellIsInItsLink) {

@@ -169,12 +169,7 @@ std::string nameOf(const ::testing::TestParamInfo<ExportFormat>& parameter) {
   return name;
 }
 
-std::vector<ExportFormat> everyFormat() {
-  std::vector<ExportFormat> formats;
-  for (const ExportFormatDescription& format : exportFormats()) formats.push_back(format.format);
-  return formats;
-}
-const auto kEveryFormat = ::testing::ValuesIn(everyFormat());
+const auto kEveryFormat = ::testing::ValuesIn(collect(exportFormats(), &ExportFormatDescription::format));
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExport, kEveryFormat, nameOf);
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExportOfPatches, kEveryFormat, nameOf);
 

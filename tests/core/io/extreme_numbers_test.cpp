@@ -65,9 +65,7 @@ void useEverything(const Session& session, const std::string& what) {
     const auto result = reconstruct(*session.snapshot(), test::by(solver));
     expectFinite(*result, what);
     for (const PatchReconstruction& patch : result->patches) {
-      std::vector<Eigen::Vector3d> seen;
-      for (const GravityDirection& gravity : patch.gravity) seen.push_back(gravity.g_o);
-      EXPECT_TRUE(adviseNextPose(session.model(), seen, {}).up.allFinite());
+      EXPECT_TRUE(adviseNextPose(session.model(), collect(patch.gravity, &GravityDirection::g_o), {}).up.allFinite());
       for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Sphere, SurfaceKind::Cylinder}) {
         try {
           const SurfaceEvaluation fit = evaluateSurface(patch, kind);

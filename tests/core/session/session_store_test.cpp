@@ -16,11 +16,7 @@ AddPose capture(std::uint32_t id, double value) {
   return {{std::make_shared<const PoseCapture>(std::move(capture))}};
 }
 
-std::vector<std::string> kinds(const SessionStore& store) {
-  std::vector<std::string> kinds;
-  for (const JournalLine& line : store.history()) kinds.push_back(line.kind);
-  return kinds;
-}
+std::vector<std::string> kinds(const SessionStore& store) { return collect(store.history(), &JournalLine::kind); }
 
 TEST_F(SessionStoreTest, KeepsAWholeSessionBitForBit) {
   const Session session = sessionWithEverything();

@@ -34,9 +34,7 @@ inline Session emptySession() { return {builtInCellModel("hex-bma150"), {}}; }
 inline std::uint64_t appendTo(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
 
 inline std::vector<std::uint32_t> poseIds(const Session& session) {
-  std::vector<std::uint32_t> ids;
-  for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());
-  return ids;
+  return collect(session.poses(), [](const SessionPose& pose) { return pose.capture->id.value(); });
 }
 
 }  // namespace hexoderm::store_test

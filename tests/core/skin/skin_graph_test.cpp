@@ -21,11 +21,7 @@ CellReport cell(std::uint32_t id, std::vector<NeighborReport> neighbors, std::st
   return {CellId(id), std::move(body_part), std::move(neighbors)};
 }
 
-std::vector<FindingCode> codes(const SkinGraph& graph) {
-  std::vector<FindingCode> codes;
-  for (const Finding& finding : graph.findings()) codes.push_back(finding.code);
-  return codes;
-}
+std::vector<FindingCode> codes(const SkinGraph& graph) { return collect(graph.findings(), &Finding::code); }
 
 std::size_t usedLinks(const SkinGraph& graph) {
   return static_cast<std::size_t>(std::ranges::count(graph.links(), false, &GraphLink::muted));

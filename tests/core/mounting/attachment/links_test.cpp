@@ -11,20 +11,12 @@
 namespace hexoderm {
 namespace {
 
-std::vector<std::string> namesOf(const LinkCandidate& candidate) {
-  std::vector<std::string> names;
-  for (const PatchTurn& turn : candidate.links) names.push_back(turn.link);
-  return names;
-}
+std::vector<std::string> namesOf(const LinkCandidate& candidate) { return collect(candidate.links, &PatchTurn::link); }
 /// The operator says which link a patch is on.
 LinksOptions chosen(CellId origin, const std::string& link) {
   return test::with(withoutLever(), &LinksOptions::chosen, {{origin, link}});
 }
-std::vector<std::string> findingsOf(const LinksResult& result) {
-  std::vector<std::string> texts;
-  for (const Message& finding : result.findings) texts.push_back(finding.english());
-  return texts;
-}
+std::vector<std::string> findingsOf(const LinksResult& result) { return collect(result.findings, &Message::english); }
 TEST(Links, WithoutErrorsAreExact) {
   const DrawnArmOptions options{
       .links = {"l3", "l6", "l4_cover"}, .error_scale = 0, .zero_sigma_rad = 0, .tilt_sigma_rad = 0};
