@@ -5,7 +5,6 @@
 #include "hexoderm/capture/pose_recorder.h"
 #include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm::pose_recorder_test {
 

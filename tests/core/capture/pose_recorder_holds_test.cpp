@@ -3,7 +3,6 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm::pose_recorder_test {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
-#include "tests/support/testing.h"
 
 #include <span>
 

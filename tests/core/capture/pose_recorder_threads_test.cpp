@@ -1,6 +1,5 @@
 #include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
-#include "tests/support/testing.h"
 
 #include <atomic>
 #include <thread>

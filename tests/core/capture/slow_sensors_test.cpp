@@ -5,7 +5,6 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

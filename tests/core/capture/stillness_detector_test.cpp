@@ -4,7 +4,6 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/synthetic_stream.h"
 #include "tests/support/options.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

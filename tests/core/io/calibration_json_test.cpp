@@ -11,7 +11,6 @@
 #include "tests/support/session_matchers.h"
 #include "tests/support/solvers.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

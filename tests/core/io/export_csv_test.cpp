@@ -6,7 +6,6 @@
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/other_programs.h"
-#include "tests/support/testing.h"
 
 #include <nlohmann/json.hpp>
 

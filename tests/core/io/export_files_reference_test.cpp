@@ -6,7 +6,6 @@
 #include "tests/core/io/taxel_readers.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
-#include "tests/support/testing.h"
 
 #include <cctype>
 #include <pugixml.hpp>

@@ -7,7 +7,6 @@
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/testing.h"
 
 #include <cstdlib>
 #include <nlohmann/json.hpp>

@@ -5,7 +5,6 @@
 #include "hexoderm/base/sha256.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/testing.h"
 
 #include <nlohmann/json.hpp>
 

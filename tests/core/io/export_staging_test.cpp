@@ -2,7 +2,6 @@
 
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

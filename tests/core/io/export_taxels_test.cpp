@@ -1,6 +1,5 @@
 #include "tests/core/io/placed_skin.h"
 #include "tests/core/io/taxel_readers.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "tests/core/io/placed_skin.h"
 #include "tests/support/other_programs.h"
-#include "tests/support/testing.h"
 
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>

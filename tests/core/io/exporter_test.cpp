@@ -8,7 +8,6 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
 #include "tests/support/solvers.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -13,7 +13,6 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/solvers.h"
-#include "tests/support/testing.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,6 @@
 // An MJCF model as MuJoCo itself loads and places it.
 
 #include "tests/core/io/placed_skin.h"
-#include "tests/support/testing.h"
 
 #include <mujoco/mujoco.h>
 

@@ -1,7 +1,6 @@
 // An SDF model as libsdformat, Gazebo's reader, resolves it.
 
 #include "tests/core/io/placed_skin.h"
-#include "tests/support/testing.h"
 
 #include <sdf/sdf.hh>
 

@@ -7,7 +7,6 @@
 #include "tests/support/paths.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

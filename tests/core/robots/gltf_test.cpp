@@ -1,6 +1,5 @@
 #include "tests/core/robots/mesh_test.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/testing.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,4 @@
 #include "tests/core/robots/mesh_test.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

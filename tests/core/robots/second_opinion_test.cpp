@@ -5,7 +5,6 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
-#include "tests/support/testing.h"
 
 #include <assimp/config.h>
 #include <assimp/postprocess.h>

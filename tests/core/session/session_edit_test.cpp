@@ -1,8 +1,6 @@
 #include "hexoderm/session/session_edit.h"
 
 #include "tests/core/session/session_edits.h"
-#include "tests/support/session_matchers.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -4,7 +4,6 @@
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/testing.h"
 
 #include <variant>
 

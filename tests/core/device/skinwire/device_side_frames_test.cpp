@@ -4,7 +4,6 @@
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/slow_build.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

@@ -3,7 +3,6 @@
 #include "hexoderm/device/skinwire/description.h"
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {

@@ -1,7 +1,6 @@
 // Commands to a device on a wire: their answers, their repetition, and those that get no answer.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
-#include "tests/support/testing.h"
 
 #include <chrono>
 

@@ -2,7 +2,6 @@
 
 #include "tests/core/device/sources/wire_source_fixture.h"
 #include "tests/support/options.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm::wire_source_test {
 namespace {

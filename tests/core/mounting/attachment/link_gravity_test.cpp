@@ -1,7 +1,6 @@
 #include "hexoderm/mounting/attachment/link_gravity.h"
 
 #include "tests/core/mounting/attachment/drawn_links.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

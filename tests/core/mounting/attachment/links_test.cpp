@@ -4,7 +4,6 @@
 #include "tests/core/mounting/attachment/simulated_links.h"
 #include "tests/support/options.h"
 #include "tests/support/slow_build.h"
-#include "tests/support/testing.h"
 
 #include <regex>
 

@@ -4,7 +4,6 @@
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/core/mounting/parts/jointed_skins.h"
 #include "tests/support/slow_build.h"
-#include "tests/support/testing.h"
 
 #include <numeric>
 

@@ -1,7 +1,6 @@
 #include "hexoderm/mounting/parts/hinge_fit.h"
 
 #include "tests/core/mounting/parts/gravity_draw.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,7 +1,6 @@
 #include "hexoderm/mounting/parts/movement.h"
 
 #include "tests/core/mounting/parts/gravity_draw.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -8,7 +8,6 @@
 #include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

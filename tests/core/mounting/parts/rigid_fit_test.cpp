@@ -2,7 +2,6 @@
 
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/support/matchers.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/mesh_feet.h"
 #include "tests/core/mounting/place/laid_patches.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,7 +1,6 @@
 #include "hexoderm/mounting/place/freedom.h"
 
 #include "tests/core/mounting/place/laid_patches.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -3,7 +3,6 @@
 #include "tests/core/mounting/place/laid_patches.h"
 #include "tests/support/options.h"
 #include "tests/support/slow_build.h"
-#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
