@@ -39,11 +39,10 @@ TEST(TumXml, ReadsCellsInAnyOrder) {
   const TumSkinConfig config = readTumXml(kTwoPatches);
   ASSERT_EQ(config.cells.size(), 3U);
   const TumSkinConfig::Cell& first = config.cells[0];
-  EXPECT_EQ(first.report.id, CellId(4));
   EXPECT_EQ(first.patch, 1U);
   EXPECT_EQ(first.segment, 1U);
   EXPECT_EQ(first.root, CellId(2));
-  EXPECT_EQ(first.report.neighbors, (std::vector{joined(3, 2), joined(4, 0)}));
+  EXPECT_EQ(first.report, (CellReport{CellId(4), "", {joined(3, 2), joined(4, 0)}}));
   EXPECT_NEAR(first.T_root_u.R(2, 2), std::cos(20 * kDegree), 1e-12);
   EXPECT_NEAR(first.T_root_u.t.x(), 0.023276311449, 1e-12);
   EXPECT_EQ(config.sha256, sha256Hex(readFile(kTwoPatches)));

@@ -138,8 +138,7 @@ TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   const SessionStore reader = SessionStore::openReadOnly(path_);
   const Session session = reader.readSession();
   EXPECT_EQ(session.model().name, "other");
-  ASSERT_EQ(session.neighbors().size(), 1U);
-  EXPECT_EQ(session.neighbors()[0].body_part, "hand");
+  EXPECT_EQ(session.neighbors(), (NeighborList{{CellId(9), "hand", {}}}));
   EXPECT_EQ(session.source().text.english(), "a new source");
   EXPECT_EQ(session.truth()->frame, "elbow");
   EXPECT_EQ(session.poses().size(), 3U);
