@@ -145,10 +145,7 @@ TEST_F(PoseRecorderTest, NamesThePoseThatIsRepeated) {
   stream.turnAbout(axis, -76 * kDegree, 1);
   stream.hold(2);
   feed(recorder_, stream.frames);
-  ASSERT_THAT(captures_.poses, SizeIs(3));
-  EXPECT_FALSE(captures_.poses[0].repeats);
-  EXPECT_FALSE(captures_.poses[1].repeats);
-  EXPECT_EQ(captures_.poses[2].repeats, PoseId(1));
+  ASSERT_THAT(collect(captures_.poses, &CapturedPose::repeats), ElementsAre(std::nullopt, std::nullopt, PoseId(1)));
   EXPECT_NEAR(toDegrees(captures_.poses[2].repeat_angle_rad), 4, 0.5);
 
   // The session's own list counts: without the first pose nothing is repeated.
