@@ -10,8 +10,7 @@ namespace {
 TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
   for (const Framing framing : {Framing::Length, Framing::Lines}) {
     auto [device, listener, source] = started<TcpDevice>();
-    DeviceConnection connection = device.accept(framing);
-    describe(connection);
+    DeviceConnection connection = described(device, framing);
     ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
 
     const std::uint32_t led = source->send(SetLed{CellId(7), 255, 0, 16});
@@ -73,8 +72,7 @@ TEST(WireSource, ADeviceThatSaysThatItIsAtItIsWaitedForLongerThanOneThatSaysNoth
   EXPECT_TRUE(passesWithPatience([](WireOptions options) {
     options.silent_after = options.reconnect_after = test::kForever;
     auto [device, listener, source] = started<TcpDevice>(options);
-    DeviceConnection connection = device.accept();
-    describe(connection);
+    DeviceConnection connection = described(device);
     EXPECT_TRUE(listener.waitFor(state(SourceState::Streaming)));
     const std::uint32_t slow = source->send(ExploreAgain{});
     const std::uint32_t unanswered = source->send(SetRate{100});

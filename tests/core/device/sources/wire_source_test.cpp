@@ -31,8 +31,7 @@ TEST(WireSource, FindsAHostByName) {
   CollectingListener listener;
   const auto source = wireSource(device.address("localhost"), patient());
   source->start(listener);
-  DeviceConnection connection = device.accept();
-  describe(connection);
+  DeviceConnection connection = described(device);
   EXPECT_TRUE(listener.waitFor(state(SourceState::Streaming)));
 }
 

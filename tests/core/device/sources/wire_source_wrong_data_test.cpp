@@ -14,13 +14,11 @@ TEST(WireSource, BrokenDataOnTcpIsNamedAndTheConnectionMadeAnew) {
   for (const auto& [bytes, why] : cases) {
     auto [device, listener, source] = started<TcpDevice>();
     {
-      DeviceConnection connection = device.accept();
-      describe(connection);
+      DeviceConnection connection = described(device);
       connection.sendBytes(bytes);
       ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, why)));
     }
-    DeviceConnection connection = device.accept();
-    describe(connection);
+    DeviceConnection connection = described(device);
     connection.send(skinwire::rawSamples(0, 1000));
     ASSERT_TRUE(listener.waitFor(frames(2)));
     EXPECT_EQ(listener.delivered().frames.size(), 2U);
