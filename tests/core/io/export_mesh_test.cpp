@@ -29,17 +29,17 @@ Eigen::Matrix3d sceneFromSkin() {
 }
 
 TEST(ExportMesh, HoldsClosedPrismsAtTheirPlaces) {
-  struct Format {
+  struct MeshFile {
     ExportFormat format;
     const char* file;
     LengthUnit stl_unit = LengthUnit::Millimetres;
     double unit = 1;
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   };
-  for (const Format& expected : {Format{ExportFormat::Ply, "skin.ply"}, Format{ExportFormat::Obj, "skin.obj"},
-                                 Format{ExportFormat::Stl, "skin.stl", LengthUnit::Millimetres, 1e3},
-                                 Format{ExportFormat::Stl, "skin.stl", LengthUnit::Metres},
-                                 Format{ExportFormat::Gltf, "skin.glb", {}, 1, sceneFromSkin()}}) {
+  for (const MeshFile& expected : {MeshFile{ExportFormat::Ply, "skin.ply"}, MeshFile{ExportFormat::Obj, "skin.obj"},
+                                   MeshFile{ExportFormat::Stl, "skin.stl", LengthUnit::Millimetres, 1e3},
+                                   MeshFile{ExportFormat::Stl, "skin.stl", LengthUnit::Metres},
+                                   MeshFile{ExportFormat::Gltf, "skin.glb", {}, 1, sceneFromSkin()}}) {
     const std::string bytes = exportBytes(makeTestReconstruction(), expected.format,
                                           test::with(&ExportOptions::stl_unit, expected.stl_unit), expected.file);
     const TriangleMesh mesh = readMesh(bytes, expected.file);
