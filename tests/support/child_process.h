@@ -1,21 +1,17 @@
 #pragma once
 
 #include "tests/support/patience.h"
+#include "tests/support/pipe.h"
 
-#include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-#include <array>
 #include <chrono>
 #include <fstream>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace hexoderm::test {
@@ -55,9 +51,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  void write(const std::string& text) const {
-    if (::write(in_.ends[1], text.data(), text.size()) < 0) throw std::runtime_error("nothing is read");
-  }
+  void write(const std::string& text) const { in_.write(text); }
   /// A line typed, and its answer.
   std::string type(const std::string& line) const {
     write(line + "\n");
@@ -108,30 +102,6 @@ class ChildProcess {
   }
 
  private:
-  struct Pipe {
-    Pipe() {
-      if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
-    }
-    ~Pipe() {
-      closeEnd(0);
-      closeEnd(1);
-    }
-    Pipe(const Pipe&) = delete;
-    Pipe& operator=(const Pipe&) = delete;
-    void closeEnd(std::size_t which) {
-      if (ends.at(which) >= 0) ::close(std::exchange(ends.at(which), -1));
-    }
-    /// Until nobody could write another byte.
-    void fill() const {
-      ::fcntl(ends[1], F_SETFL, O_NONBLOCK);
-      const std::array<char, 4096> bytes{};
-      while (::write(ends[1], bytes.data(), bytes.size()) > 0) continue;
-      while (::write(ends[1], bytes.data(), 1) > 0) continue;
-      ::fcntl(ends[1], F_SETFL, 0);
-    }
-    std::array<int, 2> ends{-1, -1};
-  };
-
   static void waitFor(const std::string& text, int from) {
     std::string all;
     for (char c = 0; all.find(text) == std::string::npos; all += c) {

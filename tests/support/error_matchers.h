@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hexoderm/base/error.h"
+
 #include <gmock/gmock.h>
 
 #include <exception>
@@ -21,6 +23,23 @@ std::string messageOf(Call&& call) {
   }
   ADD_FAILURE() << "no exception";
   return {};
+}
+
+/// `text` with its first `from` replaced; fails the test if there is none.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << "nothing to replace: " << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// The complaints of a reader that refuses a text wherever it is cut off before `end` begin as said.
+template <class Parse>
+void expectRefusedWhereverCutOff(const std::string& text, std::size_t end, const std::string& begin, Parse parse,
+                                 std::size_t step = 1) {
+  for (std::size_t size = 0; size <= end; size += step) {
+    EXPECT_THAT(messageOf<FormatError>([&] { parse(text.substr(0, size)); }), ::testing::StartsWith(begin))
+        << "cut after " << size << " bytes";
+  }
 }
 
 /// All of the parts occur in the text.

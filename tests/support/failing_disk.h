@@ -1,14 +1,11 @@
 #pragma once
 
+#include "tests/support/another_process.h"
+
 #include <sched.h>
 #include <sys/mount.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <string>
 
@@ -33,34 +30,6 @@ class NoFileGrows {
   void (*handler_)(int);
   rlimit before_{};
 };
-
-/// Runs `body` in a process of its own and returns what it returned; what it throws is printed and gives 99.
-template <class Body>
-int inAnotherProcess(Body body) {
-  const pid_t child = ::fork();
-  if (child == 0) {
-    int result = 99;
-    try {
-      result = body();
-    } catch (const std::exception& error) {
-      std::fprintf(stderr, "in another process: %s\n", error.what());
-    }
-    ::_exit(result);
-  }
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-/// Runs the body without root's right to write everywhere.
-template <class Body>
-int asOrdinaryUser(Body body) {
-  return inAnotherProcess([&] {
-    constexpr uid_t kNobody = 65534;
-    if (::geteuid() == 0 && (::setgid(kNobody) != 0 || ::setuid(kNobody) != 0)) return 98;
-    return body();
-  });
-}
 
 /// Runs the body with an empty disk of `size` bytes at `folder`, which only that process sees; -1 if this system lets
 /// nobody but root mount one.

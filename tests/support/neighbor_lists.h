@@ -1,10 +1,19 @@
 #pragma once
 
+#include "hexoderm/skin/cell_model.h"
 #include "hexoderm/skin/neighbor_list.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace hexoderm::test {
+
+/// The built-in model for skins of any size: no ID of a cell is that of its interfaces.
+inline CellModel modelOfMany() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
+  return model;
+}
 
 /// Cells 1 to `count` that report no neighbours.
 inline NeighborList listOfCells(std::uint32_t count) {

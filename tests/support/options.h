@@ -13,4 +13,11 @@ Options with(Value Options::*option, std::type_identity_t<Value> value) {
   return options;
 }
 
+/// ... with one of them set otherwise than in others.
+template <class Options, class Value>
+Options with(Options options, Value Options::*option, std::type_identity_t<Value> value) {
+  options.*option = std::move(value);
+  return options;
+}
+
 }  // namespace hexoderm::test

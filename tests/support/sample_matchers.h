@@ -1,13 +1,9 @@
 #pragma once
 
 #include "hexoderm/device/sample_frame.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 #include <bit>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 namespace hexoderm::test {
 
@@ -23,34 +19,37 @@ bool sameBits(const A& a, const B& b) {
   return true;
 }
 
-/// Everything that cells sent, bit for bit.
-inline void expectSameFrame(const SampleFrame& a, const SampleFrame& b) {
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(a.time_s), std::bit_cast<std::uint64_t>(b.time_s));
-  ASSERT_EQ(a.samples.size(), b.samples.size());
-  for (std::size_t k = 0; k < a.samples.size(); ++k) {
-    EXPECT_EQ(a.samples[k].cell, b.samples[k].cell);
-    EXPECT_TRUE(sameBits(a.samples[k].acceleration_g, b.samples[k].acceleration_g)) << "sample " << k;
-  }
-  ASSERT_EQ(a.means.size(), b.means.size());
-  for (std::size_t k = 0; k < a.means.size(); ++k) {
-    EXPECT_EQ(a.means[k].cell, b.means[k].cell);
-    EXPECT_EQ(a.means[k].count, b.means[k].count);
-    EXPECT_TRUE(sameBits(a.means[k].mean_g, b.means[k].mean_g)) << "mean " << k;
-    EXPECT_TRUE(sameBits(a.means[k].variance_g2, b.means[k].variance_g2)) << "mean " << k;
-  }
-  ASSERT_EQ(a.temperatures.size(), b.temperatures.size());
-  for (std::size_t k = 0; k < a.temperatures.size(); ++k) {
-    EXPECT_EQ(a.temperatures[k].cell, b.temperatures[k].cell);
-    EXPECT_EQ(a.temperatures[k].temperature_c, b.temperatures[k].temperature_c);
+/// Two lists are equally long, and `expect(a, b)` holds of their items.
+template <class Items, class Expect>
+void expectSameItems(const Items& a, const Items& b, Expect expect) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    SCOPED_TRACE("item " + std::to_string(k));
+    expect(a[k], b[k]);
   }
 }
 
+/// Everything that cells sent, bit for bit.
+inline void expectSameFrame(const SampleFrame& a, const SampleFrame& b) {
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(a.time_s), std::bit_cast<std::uint64_t>(b.time_s));
+  expectSameItems(a.samples, b.samples, [](const CellSample& x, const CellSample& y) {
+    EXPECT_EQ(x.cell, y.cell);
+    EXPECT_TRUE(sameBits(x.acceleration_g, y.acceleration_g));
+  });
+  expectSameItems(a.means, b.means, [](const CellMean& x, const CellMean& y) {
+    EXPECT_EQ(x.cell, y.cell);
+    EXPECT_EQ(x.count, y.count);
+    EXPECT_TRUE(sameBits(x.mean_g, y.mean_g));
+    EXPECT_TRUE(sameBits(x.variance_g2, y.variance_g2));
+  });
+  expectSameItems(a.temperatures, b.temperatures, [](const CellTemperature& x, const CellTemperature& y) {
+    EXPECT_EQ(x.cell, y.cell);
+    EXPECT_EQ(x.temperature_c, y.temperature_c);
+  });
+}
+
 inline void expectSameFrames(const std::vector<SampleFrame>& a, const std::vector<SampleFrame>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    SCOPED_TRACE("frame " + std::to_string(k));
-    expectSameFrame(a[k], b[k]);
-  }
+  expectSameItems(a, b, expectSameFrame);
 }
 
 }  // namespace hexoderm::test

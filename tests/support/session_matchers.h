@@ -2,12 +2,7 @@
 
 #include "hexoderm/session/session.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 
@@ -18,15 +13,23 @@ inline void expectSamePose(const SessionPose& a, const SessionPose& b) {
   EXPECT_EQ(a.capture->id, b.capture->id);
   EXPECT_EQ(a.capture->label, b.capture->label);
   EXPECT_EQ(a.capture->taken_at_ms, b.capture->taken_at_ms);
-  ASSERT_EQ(a.capture->samples.size(), b.capture->samples.size());
-  for (std::size_t k = 0; k < a.capture->samples.size(); ++k) {
-    const GravitySample& x = a.capture->samples[k];
-    const GravitySample& y = b.capture->samples[k];
+  expectSameItems(a.capture->samples, b.capture->samples, [](const GravitySample& x, const GravitySample& y) {
     EXPECT_EQ(x.cell, y.cell);
     EXPECT_EQ(x.count, y.count);
     EXPECT_EQ(x.temperature_c, y.temperature_c);
-    EXPECT_TRUE(sameBits(x.mean_g, y.mean_g)) << "sample " << k;
-    EXPECT_TRUE(sameBits(x.cov_g2, y.cov_g2)) << "sample " << k;
+    EXPECT_TRUE(sameBits(x.mean_g, y.mean_g));
+    EXPECT_TRUE(sameBits(x.cov_g2, y.cov_g2));
+  });
+}
+
+inline void expectSamePlace(const PatchOnLink& a, const PatchOnLink& b) {
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.link, b.link);
+  EXPECT_TRUE(sameBits(a.T_l_o.R, b.T_l_o.R));
+  EXPECT_TRUE(sameBits(a.T_l_o.t, b.T_l_o.t));
+  ASSERT_EQ(a.cov_t_r.has_value(), b.cov_t_r.has_value());
+  if (a.cov_t_r) {
+    EXPECT_TRUE(sameBits(*a.cov_t_r, *b.cov_t_r));
   }
 }
 
@@ -35,28 +38,18 @@ inline void expectSamePlacement(const PatchPlacement& a, const PatchPlacement& b
   EXPECT_EQ(a.link, b.link);
   EXPECT_EQ(a.link_chosen, b.link_chosen);
   EXPECT_EQ(a.by_surface, b.by_surface);
-  ASSERT_EQ(a.points.size(), b.points.size());
-  for (std::size_t k = 0; k < a.points.size(); ++k) {
-    EXPECT_EQ(a.points[k].cell, b.points[k].cell);
-    EXPECT_TRUE(sameBits(a.points[k].x_l, b.points[k].x_l));
-    EXPECT_EQ(a.points[k].sigma_m, b.points[k].sigma_m);
-  }
-  ASSERT_EQ(a.distances.size(), b.distances.size());
-  for (std::size_t k = 0; k < a.distances.size(); ++k) {
-    EXPECT_EQ(a.distances[k].a, b.distances[k].a);
-    EXPECT_EQ(a.distances[k].b, b.distances[k].b);
-    EXPECT_EQ(a.distances[k].distance_m, b.distances[k].distance_m);
-    EXPECT_EQ(a.distances[k].sigma_m, b.distances[k].sigma_m);
-  }
+  expectSameItems(a.points, b.points, [](const auto& x, const auto& y) {
+    EXPECT_EQ(x.cell, y.cell);
+    EXPECT_TRUE(sameBits(x.x_l, y.x_l));
+    EXPECT_EQ(x.sigma_m, y.sigma_m);
+  });
+  expectSameItems(a.distances, b.distances, [](const auto& x, const auto& y) {
+    EXPECT_EQ(std::pair(x.a, x.b), std::pair(y.a, y.b));
+    EXPECT_EQ(x.distance_m, y.distance_m);
+    EXPECT_EQ(x.sigma_m, y.sigma_m);
+  });
   ASSERT_EQ(a.place.has_value(), b.place.has_value());
-  if (!a.place) return;
-  EXPECT_EQ(a.place->origin, b.place->origin);
-  EXPECT_EQ(a.place->link, b.place->link);
-  EXPECT_TRUE(sameBits(a.place->T_l_o.R, b.place->T_l_o.R));
-  EXPECT_TRUE(sameBits(a.place->T_l_o.t, b.place->T_l_o.t));
-  ASSERT_EQ(a.place->cov_t_r.has_value(), b.place->cov_t_r.has_value());
-  if (!a.place->cov_t_r) return;
-  EXPECT_TRUE(sameBits(*a.place->cov_t_r, *b.place->cov_t_r));
+  if (a.place) expectSamePlace(*a.place, *b.place);
 }
 
 /// A placement with everything that one can have, and numbers that are hard to keep.
@@ -80,29 +73,22 @@ inline PatchPlacement placementWithEverything(CellId origin) {
 inline void expectSameSession(const Session& a, const Session& b) {
   EXPECT_EQ(cellModelToJson(a.model()), cellModelToJson(b.model()));
   EXPECT_TRUE(sameBits(a.model().accelerometer.T_u_a.R, b.model().accelerometer.T_u_a.R));
-  for (std::size_t k = 0; k < std::min(a.model().sensors.size(), b.model().sensors.size()); ++k) {
-    EXPECT_TRUE(sameBits(a.model().sensors[k].T_u_s.R, b.model().sensors[k].T_u_s.R));
-  }
+  expectSameItems(a.model().sensors, b.model().sensors,
+                  [](const auto& x, const auto& y) { EXPECT_TRUE(sameBits(x.T_u_s.R, y.T_u_s.R)); });
   EXPECT_EQ(a.neighbors(), b.neighbors());
   EXPECT_EQ(a.source().text, b.source().text);
-  ASSERT_EQ(a.poses().size(), b.poses().size());
-  for (std::size_t p = 0; p < a.poses().size(); ++p) {
-    SCOPED_TRACE("pose at place " + std::to_string(p));
-    expectSamePose(a.poses()[p], b.poses()[p]);
-  }
+  expectSameItems(a.poses(), b.poses(), expectSamePose);
   EXPECT_EQ(a.mutedLinks(), b.mutedLinks());
   EXPECT_EQ(a.robot(), b.robot());
-  ASSERT_EQ(a.placements().size(), b.placements().size());
-  for (std::size_t k = 0; k < a.placements().size(); ++k) expectSamePlacement(a.placements()[k], b.placements()[k]);
+  expectSameItems(a.placements(), b.placements(), expectSamePlacement);
   ASSERT_EQ(a.truth() == nullptr, b.truth() == nullptr);
   if (!a.truth()) return;
   EXPECT_EQ(a.truth()->frame, b.truth()->frame);
-  ASSERT_EQ(a.truth()->cells.size(), b.truth()->cells.size());
-  for (std::size_t k = 0; k < a.truth()->cells.size(); ++k) {
-    EXPECT_EQ(a.truth()->cells[k].id, b.truth()->cells[k].id);
-    EXPECT_TRUE(sameBits(a.truth()->cells[k].T_b_u.R, b.truth()->cells[k].T_b_u.R));
-    EXPECT_TRUE(sameBits(a.truth()->cells[k].T_b_u.t, b.truth()->cells[k].T_b_u.t));
-  }
+  expectSameItems(a.truth()->cells, b.truth()->cells, [](const auto& x, const auto& y) {
+    EXPECT_EQ(x.id, y.id);
+    EXPECT_TRUE(sameBits(x.T_b_u.R, y.T_b_u.R));
+    EXPECT_TRUE(sameBits(x.T_b_u.t, y.T_b_u.t));
+  });
 }
 
 /// A session that uses everything a session has, with numbers that are hard to keep.
@@ -142,6 +128,15 @@ inline Session sessionWithEverything() {
   begun.origin = CellId(1);
   begun.link = "upper_arm";
   session.setPlacement(begun);
+  return session;
+}
+
+/// A session that no file takes: cell 1 reads no number in pose 7.
+inline Session sessionWithABadReading() {
+  Session session(builtInCellModel("hex-bma150"), {});
+  const Eigen::Vector3d bad_g(0, std::numeric_limits<double>::quiet_NaN(), 1);
+  session.addPose({std::make_shared<const PoseCapture>(
+      PoseCapture{PoseId(7), {}, {{CellId(1), bad_g, Eigen::Matrix3d::Zero(), 1}}})});
   return session;
 }
 

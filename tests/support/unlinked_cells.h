@@ -4,16 +4,13 @@
 #include "tests/support/neighbor_lists.h"
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 
 namespace hexoderm {
 
 /// A session of cells that report no neighbours, each of which reads every pose exactly. From no simulator.
 inline Session unlinkedCells(std::uint32_t count, std::size_t poses) {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
-  Session session(model, test::listOfCells(count));
+  Session session(test::modelOfMany(), test::listOfCells(count));
   for (std::size_t pose = 0; pose < poses; ++pose) {
     auto capture = std::make_shared<PoseCapture>();
     capture->id = session.nextPoseId();

@@ -1,9 +1,6 @@
 #include "hexoderm/base/alignment.h"
 
-#include "hexoderm/base/error.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/LU>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -11,9 +8,7 @@ namespace {
 const std::vector<Eigen::Vector3d> kPoints = {{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}, {1, 1, -1}};
 
 std::vector<Eigen::Vector3d> mapped(const SE3& T, const std::vector<Eigen::Vector3d>& points) {
-  std::vector<Eigen::Vector3d> result;
-  for (const Eigen::Vector3d& x : points) result.push_back(T * x);
-  return result;
+  return collect(points, [&T](const Eigen::Vector3d& x) { return Eigen::Vector3d(T * x); });
 }
 
 TEST(AlignPoints, RecoversTheTransformFromTheSecondSetToTheFirst) {

@@ -1,8 +1,6 @@
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/se3.h"
-
-#include <gtest/gtest.h>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,6 +1,6 @@
 #include "hexoderm/base/csv.h"
 
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,6 +1,6 @@
 #include "hexoderm/base/enum_names.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,10 +1,6 @@
 #include "hexoderm/base/finding.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,8 +1,6 @@
 #include "hexoderm/base/hex.h"
 
-#include <gmock/gmock.h>
-
-#include <array>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

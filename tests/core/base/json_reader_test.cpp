@@ -1,15 +1,9 @@
 #include "hexoderm/base/json_reader.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 /// The complaint of a reader of the value at key "k".
 template <class Read>

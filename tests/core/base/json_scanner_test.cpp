@@ -1,14 +1,10 @@
 #include "hexoderm/base/json_scanner.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/json_reader.h"
+#include "hexoderm/base/text.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-
-#include <array>
 #include <bit>
-#include <cmath>
-#include <random>
 
 namespace hexoderm {
 namespace {
@@ -44,30 +40,11 @@ std::optional<double> readNumber(const std::string& text) {
 
 TEST(JsonScanner, ReadsNumbersToTheLastBitAsTheThoroughReaderDoes) {
   std::mt19937_64 random(1);
-  std::vector<std::string> texts = {"0",
-                                    "-0",
-                                    "0.0",
-                                    "-0.0",
-                                    "1",
-                                    "-1",
-                                    "1e5",
-                                    "1E+5",
-                                    "1e-5",
-                                    "0e0",
-                                    "-0e0",
-                                    "1.25",
-                                    "0.1",
-                                    "5e-324",
-                                    "1e308",
-                                    "9007199254740993",
-                                    "18446744073709551615",
-                                    "18446744073709551616",
-                                    "-9223372036854775808",
-                                    "-9223372036854775809",
-                                    "123456789012345678901234567890",
-                                    "2.2250738585072011e-308",
-                                    "0.30000000000000004",
-                                    "1.00000000000000011102230246251565"};
+  std::vector<std::string> texts = split(
+      "0 -0 0.0 -0.0 1 -1 1e5 1E+5 1e-5 0e0 -0e0 1.25 0.1 5e-324 1e308 9007199254740993 18446744073709551615 "
+      "18446744073709551616 -9223372036854775808 -9223372036854775809 123456789012345678901234567890 "
+      "2.2250738585072011e-308 0.30000000000000004 1.00000000000000011102230246251565",
+      ' ');
   for (int k = 0; k < 20'000; ++k) {
     const auto value = std::bit_cast<double>(random());
     if (std::isfinite(value)) texts.push_back(nlohmann::json(value).dump());

@@ -1,13 +1,7 @@
 #include "hexoderm/base/json_writer.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/json_reader.h"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,21 +1,13 @@
 #include "hexoderm/base/kept_files.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <optional>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 namespace fs = std::filesystem;
-using test::messageOf;
-using test::saysAll;
 
 /// The header of an SQLite database, as far as its application ID.
 std::string databaseOf(std::string_view id) {

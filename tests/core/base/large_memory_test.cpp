@@ -1,14 +1,12 @@
 #include "hexoderm/base/large_memory.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
+
 #include <unistd.h>
 
-#include <cstdint>
 #include <fstream>
-#include <limits>
 #include <new>
 #include <numeric>
-#include <utility>
 
 namespace hexoderm {
 namespace {

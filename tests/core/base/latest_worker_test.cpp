@@ -1,27 +1,20 @@
 #include "hexoderm/base/latest_worker.h"
 
 #include "tests/support/patience.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #ifdef __linux__
 #include <sys/resource.h>
 #include <unistd.h>
 #endif
-#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <future>
 #include <mutex>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 /// The names of the jobs that ran, in order.
 class Diary {
@@ -77,6 +70,22 @@ class HeldJob {
   bool was_stopped_ = false;
 };
 
+class LatestWorkerTest : public testing::Test {
+ protected:
+  /// Keeps a worker busy until it is let go.
+  void hold(LatestWorker& worker, std::size_t mailbox = 0) {
+    worker.submit(held_.job(), mailbox);
+    held_.waitUntilBegun();
+  }
+  void letGo(LatestWorker& worker) {
+    held_.release();
+    worker.waitUntilIdle();
+  }
+
+  Diary diary_;
+  HeldJob held_;
+};
+
 #ifdef __linux__
 TEST(LatestWorker, GivesWayToOtherThreads) {
   const int here = ::getpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()));
@@ -89,59 +98,45 @@ TEST(LatestWorker, GivesWayToOtherThreads) {
 }
 #endif
 
-TEST(LatestWorker, TheNewestJobWinsAndTheRunningOneIsNotStopped) {
-  Diary diary;
-  HeldJob held;
+TEST_F(LatestWorkerTest, TheNewestJobWinsAndTheRunningOneIsNotStopped) {
   LatestWorker worker;
-  worker.submit(held.job());
-  held.waitUntilBegun();
-  for (const char* name : {"1", "2", "3"}) worker.submit(diary.job(name));
-  held.release();
-  worker.waitUntilIdle();
-  EXPECT_FALSE(held.wasStopped());
-  EXPECT_THAT(diary.names(), ElementsAre("3"));
+  hold(worker);
+  for (const char* name : {"1", "2", "3"}) worker.submit(diary_.job(name));
+  letGo(worker);
+  EXPECT_FALSE(held_.wasStopped());
+  EXPECT_THAT(diary_.names(), ElementsAre("3"));
 }
 
-TEST(LatestWorker, MailboxesDoNotDropEachOthersJobs) {
-  Diary diary;
-  HeldJob held;
+TEST_F(LatestWorkerTest, MailboxesDoNotDropEachOthersJobs) {
   LatestWorker worker(3);
-  worker.submit(held.job(), 1);
-  held.waitUntilBegun();
-  worker.submit(diary.job("of 2"), 2);
-  worker.submit(diary.job("old of 0"), 0);
-  worker.submit(diary.job("of 1"), 1);
-  worker.submit(diary.job("of 0"), 0);
-  held.release();
-  worker.waitUntilIdle();
-  EXPECT_THAT(diary.names(), ElementsAre("of 0", "of 1", "of 2"));
+  hold(worker, 1);
+  worker.submit(diary_.job("of 2"), 2);
+  worker.submit(diary_.job("old of 0"), 0);
+  worker.submit(diary_.job("of 1"), 1);
+  worker.submit(diary_.job("of 0"), 0);
+  letGo(worker);
+  EXPECT_THAT(diary_.names(), ElementsAre("of 0", "of 1", "of 2"));
 }
 
-TEST(LatestWorker, CancelStopsTheRunningJobDropsTheWaitingOneAndTheWorkerGoesOn) {
-  Diary diary;
-  HeldJob held;
+TEST_F(LatestWorkerTest, CancelStopsTheRunningJobDropsTheWaitingOneAndTheWorkerGoesOn) {
   LatestWorker worker;
-  worker.submit(held.job());
-  held.waitUntilBegun();
-  worker.submit(diary.job("dropped"));
+  hold(worker);
+  worker.submit(diary_.job("dropped"));
   worker.cancel();
   worker.waitUntilIdle();
-  EXPECT_TRUE(held.wasStopped());
-  EXPECT_THAT(diary.names(), IsEmpty());
-  worker.submit(diary.job("next"));
+  EXPECT_TRUE(held_.wasStopped());
+  EXPECT_THAT(diary_.names(), IsEmpty());
+  worker.submit(diary_.job("next"));
   worker.waitUntilIdle();
-  EXPECT_THAT(diary.names(), ElementsAre("next"));
+  EXPECT_THAT(diary_.names(), ElementsAre("next"));
 }
 
-TEST(LatestWorker, CancellingOneMailboxLeavesTheJobOfAnotherAlone) {
-  HeldJob held;
+TEST_F(LatestWorkerTest, CancellingOneMailboxLeavesTheJobOfAnotherAlone) {
   LatestWorker worker(2);
-  worker.submit(held.job(), 0);
-  held.waitUntilBegun();
+  hold(worker);
   worker.cancel(1);
-  held.release();
-  worker.waitUntilIdle();
-  EXPECT_FALSE(held.wasStopped());
+  letGo(worker);
+  EXPECT_FALSE(held_.wasStopped());
 }
 
 TEST(LatestWorker, CancelReachesNoJobThatIsSubmittedLater) {
@@ -154,18 +149,15 @@ TEST(LatestWorker, CancelReachesNoJobThatIsSubmittedLater) {
   }
 }
 
-TEST(LatestWorker, TheDestructorStopsTheRunningJobAndDropsTheWaitingOne) {
-  Diary diary;
-  HeldJob held;
+TEST_F(LatestWorkerTest, TheDestructorStopsTheRunningJobAndDropsTheWaitingOne) {
   {
     LatestWorker worker(2);
-    worker.submit(held.job());
-    held.waitUntilBegun();
-    worker.submit(diary.job("0"), 0);
-    worker.submit(diary.job("1"), 1);
+    hold(worker);
+    worker.submit(diary_.job("0"), 0);
+    worker.submit(diary_.job("1"), 1);
   }
-  EXPECT_TRUE(held.wasStopped());
-  EXPECT_THAT(diary.names(), IsEmpty());
+  EXPECT_TRUE(held_.wasStopped());
+  EXPECT_THAT(diary_.names(), IsEmpty());
 }
 
 TEST(LatestWorker, WhenIdleItHoldsNothingThatAJobHeld) {

@@ -1,6 +1,6 @@
 #include "hexoderm/base/median.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

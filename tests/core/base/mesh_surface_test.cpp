@@ -1,9 +1,7 @@
 #include "hexoderm/base/mesh_surface.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,22 +1,16 @@
 #include "hexoderm/base/message.h"
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/message_json.h"
 #include "hexoderm/base/system_reason.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <cerrno>
-#include <limits>
 #include <new>
 #include <stdexcept>
 #include <system_error>
 
 namespace hexoderm {
 namespace {
-
-using testing::HasSubstr;
 
 Message everyKind() {
   return message("{} of {}: {}, {}, {}, {}, {}, {}; {}; {}", CellId(7), 100000U, Number{-1.25, 1}, Number{1e-6},

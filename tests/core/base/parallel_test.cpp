@@ -1,28 +1,18 @@
 #include "hexoderm/base/parallel.h"
 
-#include "tests/support/error_matchers.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <cstddef>
 #include <latch>
 #include <mutex>
-#include <set>
 #include <stdexcept>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
 using testing::Each;
-using testing::ElementsAre;
-using testing::IsEmpty;
 using testing::Pair;
 
 class Parallel : public testing::Test {

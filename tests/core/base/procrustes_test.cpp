@@ -1,16 +1,9 @@
 #include "hexoderm/base/procrustes.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "tests/support/random_vector.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/LU>
-#include <Eigen/SVD>
-#include <cmath>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

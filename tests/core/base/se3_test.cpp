@@ -2,10 +2,7 @@
 
 #include "hexoderm/base/is_rotation.h"
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/LU>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,8 +1,7 @@
 #include "hexoderm/base/sha256.h"
 
 #include "hexoderm/base/hex.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

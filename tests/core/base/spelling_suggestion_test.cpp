@@ -1,8 +1,7 @@
 #include "hexoderm/base/spelling_suggestion.h"
 
-#include <gtest/gtest.h>
-
-#include <vector>
+#include "hexoderm/base/text.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -12,19 +11,12 @@ const std::vector<std::string> kFields = {"sequence", "time_us",           "peri
                                           "count",    "temperature_cells", "temperature_c"};
 
 TEST(SpellingSuggestion, FindsWhatWasMeant) {
-  const std::vector<std::pair<std::string, std::string>> cases = {{"acelleration_g", "acceleration_g"},
-                                                                  {"acceleration", "acceleration_g"},
-                                                                  {"accel", "acceleration_g"},
-                                                                  {"TIME_US", "time_us"},
-                                                                  {"time", "time_us"},
-                                                                  {"timestamp", "time_us"},
-                                                                  {"time_ms", "time_us"},
-                                                                  {"cell", "cells"},
-                                                                  {"clels", "cells"},
-                                                                  {"seqence", "sequence"},
-                                                                  {"variance", "variance_g2"},
-                                                                  {"rawLsb", "raw_lsb"}};
-  for (const auto& [name, meant] : cases) EXPECT_EQ(spellingSuggestion(name, kFields), meant) << name;
+  for (const auto& [meant, names] :
+       {std::pair("acceleration_g", "acelleration_g acceleration accel"),
+        std::pair("time_us", "TIME_US time timestamp time_ms"), std::pair("cells", "cell clels"),
+        std::pair("sequence", "seqence"), std::pair("variance_g2", "variance"), std::pair("raw_lsb", "rawLsb")}) {
+    for (const std::string& name : split(names, ' ')) EXPECT_EQ(spellingSuggestion(name, kFields), meant) << name;
+  }
 }
 
 TEST(SpellingSuggestion, FindsNothingWhereNothingIsNear) {

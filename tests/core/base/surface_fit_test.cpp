@@ -1,14 +1,8 @@
 #include "hexoderm/base/surface_fit.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <tuple>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -18,15 +12,11 @@ using Points = std::vector<Eigen::Vector3d>;
 const SE3 kSomewhere{expSO3({0.4, -1.1, 0.7}), {0.3, -0.2, 0.5}};
 
 Points moved(const SE3& T, const Points& points) {
-  Points result;
-  for (const Eigen::Vector3d& x : points) result.push_back(T * x);
-  return result;
+  return collect(points, [&T](const Eigen::Vector3d& x) { return Eigen::Vector3d(T * x); });
 }
 
 Points scaled(double factor, const Points& points) {
-  Points result;
-  for (const Eigen::Vector3d& x : points) result.emplace_back(factor * x);
-  return result;
+  return collect(points, [factor](const Eigen::Vector3d& x) { return Eigen::Vector3d(factor * x); });
 }
 
 Points noisy(double sigma, const Points& points) {

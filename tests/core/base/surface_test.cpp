@@ -1,11 +1,7 @@
 #include "hexoderm/base/surface.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/LU>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,17 +1,9 @@
 #include "hexoderm/base/text.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
-
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 TEST(FormatFixed, RoundsToTheDecimalsAskedFor) {
   EXPECT_EQ(formatFixed(1.25, 1), "1.2");  // ties to even

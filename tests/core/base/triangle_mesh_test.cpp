@@ -1,9 +1,7 @@
 #include "hexoderm/base/triangle_mesh.h"
 
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
-#include <map>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

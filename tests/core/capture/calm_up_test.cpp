@@ -1,7 +1,6 @@
 #include "hexoderm/capture/calm_up.h"
 
-#include <gtest/gtest.h>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

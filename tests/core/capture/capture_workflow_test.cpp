@@ -3,26 +3,19 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/reconstructor.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <deque>
 
 namespace hexoderm {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
-
 /// Holds the session, and a file and a device that answer when the test says so.
 class CaptureWorkflowTest : public testing::Test, public CaptureOwner {
  protected:
   CaptureWorkflowTest() {
-    description_.device = Message::verbatim("test skin");
-    description_.model = std::make_shared<const CellModel>(skin_.model());
-    description_.neighbors = skin_.neighbors();
-    description_.can_turn = true;
+    description_ = {Message::verbatim("test skin"), std::make_shared<const CellModel>(skin_.model()), skin_.neighbors(),
+                    false, true};
     begin({});
   }
 

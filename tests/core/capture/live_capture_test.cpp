@@ -1,37 +1,22 @@
 #include "hexoderm/capture/live_capture.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/sim/simulated_skin.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gmock/gmock.h>
-#include <Eigen/Geometry>
+#include "tests/support/testing.h"
 
 #include <chrono>
-#include <filesystem>
 #include <future>
-#include <memory>
-#include <optional>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using testing::DoubleNear;
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 constexpr const char* kSkin = "sim:x17?speed=max";
 
@@ -58,12 +43,8 @@ class ScriptedSource final : public SkinSource {
   [[nodiscard]] std::string address() const override { return "script"; }
 
   void describe(bool can_turn) {
-    SkinDescription description;
-    description.device = Message::verbatim("test skin");
-    description.model = std::make_shared<const CellModel>(skin_.model());
-    description.neighbors = skin_.neighbors();
-    description.can_turn = can_turn;
-    listener_->onSkin(description);
+    listener_->onSkin({Message::verbatim("test skin"), std::make_shared<const CellModel>(skin_.model()),
+                       skin_.neighbors(), false, can_turn});
     say(SourceState::Streaming);
   }
   void say(SourceState state) {
@@ -149,6 +130,16 @@ bool tells(const LiveCaptureEvent& event) {
   const auto* course = std::get_if<WorkflowEvent>(&event);
   return course != nullptr && std::holds_alternative<Event>(*course);
 }
+
+/// Captures into a file.
+class LiveCaptureToFile : public testing::Test {
+ protected:
+  LiveCaptureToFile() { options_.file = folder_.path() / "live.hexo"; }
+
+  const test::TemporaryFolder folder_;
+  LiveCaptureOptions options_;
+  std::stop_source stop_;
+};
 
 TEST(LiveCapture, GivesEachPoseWithTheResultOfAll) {
   LiveCapture capture(fourPoses());
@@ -240,23 +231,20 @@ TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
   }
 }
 
-TEST(LiveCapture, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
+TEST_F(LiveCaptureToFile, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
+  Scripted scripted(options_);
   scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
-  std::filesystem::remove(options.file);
+  std::filesystem::remove(options_.file);
   scripted.holdAgain();
   ASSERT_TRUE(scripted.capture->next());
   EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(1));
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
-  std::filesystem::remove(options.file);  // after the last pose, too
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(2));
+  std::filesystem::remove(options_.file);  // after the last pose, too
   scripted.capture->close();
   EXPECT_THAT(scripted.toldByCourse<FileRenewed>(), SizeIs(2));
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(2));
-  EXPECT_EQ(folder.entryCount(), 1U);
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(2));
+  EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
 TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
@@ -273,47 +261,39 @@ TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
   EXPECT_THAT(openSession(folder.path() / "after" / "live.hexo").poses(), SizeIs(1));
 }
 
-TEST(LiveCapture, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
-  std::stop_source stop;
+TEST_F(LiveCaptureToFile, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
+  Scripted scripted(options_);
   scripted.then = [&](const LiveCaptureEvent& event) {
-    if (tells<FileRefused>(event)) stop.request_stop();
+    if (tells<FileRefused>(event)) stop_.request_stop();
   };
   scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
   {
     const test::NoFileGrows full;
     scripted.holdAgain();
-    EXPECT_FALSE(scripted.capture->next(stop.get_token()));
+    EXPECT_FALSE(scripted.capture->next(stop_.get_token()));
     const std::string why = messageOf<StorageError>([&] { scripted.capture->close(); });
     EXPECT_THAT(why, saysAll("live.hexo: ", "; pose 2 is not stored; 1 pose was stored before"));
     EXPECT_THAT(why, testing::Not(testing::HasSubstr("was closed")));
   }
   EXPECT_THAT(scripted.toldByCourse<FileRefused>(), SizeIs(1)) << "at the end nobody tries again";
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(1));
 }
 
-TEST(LiveCapture, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
-  std::stop_source stop;
+TEST_F(LiveCaptureToFile, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
+  Scripted scripted(options_);
   std::optional<test::NoFileGrows> full;
   scripted.then = [&](const LiveCaptureEvent& event) {
     if (std::holds_alternative<CaptureBegun>(event)) full.emplace();
-    if (tells<FileRefused>(event)) stop.request_stop();
+    if (tells<FileRefused>(event)) stop_.request_stop();
   };
   scripted.hold();
-  EXPECT_FALSE(scripted.capture->next(stop.get_token()));
-  EXPECT_TRUE(std::filesystem::exists(options.file)) << "the pose may still find room";
+  EXPECT_FALSE(scripted.capture->next(stop_.get_token()));
+  EXPECT_TRUE(std::filesystem::exists(options_.file)) << "the pose may still find room";
   EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
               saysAll("live.hexo: ", "pose 1 is not stored; 0 poses were stored before"));
   full.reset();
-  EXPECT_EQ(folder.entryCount(), 0U);
+  EXPECT_EQ(folder_.entryCount(), 0U);
 }
 
 TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
@@ -354,11 +334,8 @@ TEST(LiveCapture, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed
   EXPECT_THAT(scripted.told<RecordingEnded>().front().why.english(), saysAll("live.skinrec", "the recording ended"));
 }
 
-TEST(LiveCapture, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.file = folder.path() / "live.hexo";
-  Scripted scripted(options);
+TEST_F(LiveCaptureToFile, ADeviceThatFailsIsSaidBeforeThePosesThatAreNotStored) {
+  Scripted scripted(options_);
   std::optional<test::NoFileGrows> full;
   scripted.then = [&](const LiveCaptureEvent& event) {
     if (std::holds_alternative<CaptureBegun>(event)) full.emplace();

@@ -6,16 +6,10 @@
 #include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
 
-#include <gtest/gtest.h>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <utility>
-#include <vector>
-
 namespace hexoderm::pose_recorder_test {
 
 using test::Captures;
+using test::held;
 using test::StreamOptions;
 using test::SyntheticStream;
 

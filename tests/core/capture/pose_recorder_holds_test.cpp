@@ -4,20 +4,8 @@
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace hexoderm::pose_recorder_test {
 namespace {
-
-using testing::ElementsAre;
-using testing::SizeIs;
 
 /// Sets a simulated skin and feeds holds of it, joined by moves of 1 s in which every cell's reading goes straight to
 /// where it will be and is 1 g.
@@ -30,8 +18,7 @@ void feedHolds(SimulatedSkin& skin, PoseRecorder& recorder, std::size_t poses, s
   for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
     std::vector<SampleFrame> hold = skin.record(up, hold_frames);
     for (int k = 1; k < 1000 && !last.empty(); ++k) {
-      SampleFrame move;
-      move.time_s = time_s += 0.001;
+      SampleFrame move{time_s += 0.001};
       for (std::size_t c = 0; c < last.size(); ++c) {
         const Eigen::Vector3d& from = last[c].acceleration_g;
         const Eigen::Vector3d& to = hold.front().samples[c].acceleration_g;
@@ -73,8 +60,7 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnceWhateverIsBroken) {
 }
 
 TEST_F(PoseRecorderTest, MotionStartsTheHoldOver) {
-  SyntheticStream stream(cells(3));
-  stream.hold(1.2);
+  SyntheticStream stream = held(1.2, cells(3));
   stream.move(30 * kDegree, 0.5);
   const double held_from_s = stream.hold(4).first;
   PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::samples_per_cell, 1000));

@@ -3,23 +3,13 @@
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <limits>
 #include <span>
-#include <vector>
 
 namespace hexoderm::pose_recorder_test {
 namespace {
 
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
-
 TEST_F(PoseRecorderTest, IgnoresAndCountsLateFrames) {
-  SyntheticStream stream(cells(2));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(2));
   std::vector<SampleFrame> frames;
   for (std::size_t k = 0; k < stream.frames.size(); ++k) {
     frames.push_back(stream.frames[k]);
@@ -50,8 +40,7 @@ std::vector<SampleFrame> inParts(const std::vector<SampleFrame>& frames, std::si
 }
 
 TEST_F(PoseRecorderTest, TakesATickThatComesInSeveralFramesAsOne) {
-  SyntheticStream stream(cells(5));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(5));
   Captures whole;
   PoseRecorder first(whole);
   first.setSkin(skinOf(5));
@@ -81,8 +70,7 @@ TEST_F(PoseRecorderTest, TakesATickThatComesInSeveralFramesAsOne) {
 }
 
 TEST_F(PoseRecorderTest, GoesOnAfterTheDevicesClockWasSetBack) {
-  SyntheticStream stream(cells(2));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(2));
   feed(recorder_, stream.frames);
   ASSERT_THAT(captures_.poses, SizeIs(1));
   stream.frames.clear();
@@ -100,8 +88,7 @@ TEST_F(PoseRecorderTest, GoesOnAfterTheDevicesClockWasSetBack) {
 }
 
 TEST_F(PoseRecorderTest, DoesNotWaitForCellsThatFallSilent) {
-  SyntheticStream stream(cells(4));
-  stream.hold(6);
+  SyntheticStream stream = held(6, cells(4));
   for (SampleFrame& frame : stream.frames) {
     std::erase_if(frame.samples,
                   [&](const CellSample& sample) { return sample.cell == CellId(2) && frame.time_s > 10.9; });
@@ -120,8 +107,7 @@ TEST_F(PoseRecorderTest, DoesNotWaitForCellsThatFallSilent) {
 }
 
 TEST_F(PoseRecorderTest, GivesSlowCellsAsLongAgainAsTheOthersTook) {
-  SyntheticStream stream(cells(4));
-  stream.hold(3);
+  SyntheticStream stream = held(3, cells(4));
   for (std::size_t k = 0; k < stream.frames.size(); ++k) {
     if (k % 20 != 0) stream.frames[k].samples.resize(3);
   }
@@ -133,13 +119,11 @@ TEST_F(PoseRecorderTest, GivesSlowCellsAsLongAgainAsTheOthersTook) {
 }
 
 TEST_F(PoseRecorderTest, PoolsMeansThatTheDeviceMadeByTheirCounts) {
-  SyntheticStream stream(cells(2));
-  stream.hold(4);
+  SyntheticStream stream = held(4, cells(2));
   std::vector<SampleFrame> means;
   for (std::size_t k = 0, size = 10; k + size <= stream.frames.size(); k += size, size = 10 + (k / 10) % 21) {
     const auto batch = std::span(stream.frames).subspan(k, size);
-    SampleFrame frame;
-    frame.time_s = batch.back().time_s;
+    SampleFrame frame{batch.back().time_s};
     for (const GravitySample& sample : averageFrames(batch, PoseId(1), {}).samples) {
       frame.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
     }

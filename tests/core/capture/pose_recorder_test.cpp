@@ -1,24 +1,15 @@
 #include "hexoderm/capture/pose_recorder.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 #include "tests/support/options.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <cstdint>
-#include <optional>
 #include <span>
 
 namespace hexoderm::pose_recorder_test {
 namespace {
 
-using testing::IsEmpty;
-using testing::SizeIs;
-
 TEST_F(PoseRecorderTest, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   PoseRecorderOptions options;
   options.keep_frames = true;
   options.wall_clock_ms = [] { return std::int64_t{1234567}; };
@@ -51,8 +42,7 @@ TEST_F(PoseRecorderTest, CapturesTheMeanOfEveryCellWithCovarianceAndCount) {
 }
 
 TEST(PoseRecorder, HandsOverWhereTheRobotsJointsStoodMeanwhile) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   const auto captured = [&](double joints_from_s, double joints_to_s) {
     Captures captures;
     PoseRecorder recorder(captures);
@@ -81,8 +71,7 @@ TEST(PoseRecorder, HandsOverWhereTheRobotsJointsStoodMeanwhile) {
 
 TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
   const auto samplesAt = [](double model_hz, double rate_hz, std::uint32_t asked) {
-    SyntheticStream stream(cells(2, rate_hz));
-    stream.hold(5);
+    SyntheticStream stream = held(5, cells(2, rate_hz));
     Captures captures;
     PoseRecorder recorder(captures, test::with(&PoseRecorderOptions::samples_per_cell, asked));
     recorder.setSkin(skinOf(2, model_hz));
@@ -98,8 +87,7 @@ TEST(PoseRecorder, TakesAsManySamplesAsTheRateAllows) {
 }
 
 TEST_F(PoseRecorderTest, WaitsForTheOperatorUnlessItIsAutomatic) {
-  SyntheticStream stream(cells(2));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(2));
   PoseRecorder recorder(captures_, test::with(&PoseRecorderOptions::automatic, false));
   feed(recorder, stream.frames);
   EXPECT_THAT(captures_.poses, IsEmpty());
@@ -150,18 +138,14 @@ TEST_F(PoseRecorderTest, GivesUpACaptureWhenAsked) {
 }
 
 TEST_F(PoseRecorderTest, NamesThePoseThatIsRepeated) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   const Eigen::Vector3d axis = stream.someAxis();
   stream.turnAbout(axis, 80 * kDegree, 1);
   stream.hold(2);
   stream.turnAbout(axis, -76 * kDegree, 1);
   stream.hold(2);
   feed(recorder_, stream.frames);
-  ASSERT_THAT(captures_.poses, SizeIs(3));
-  EXPECT_FALSE(captures_.poses[0].repeats);
-  EXPECT_FALSE(captures_.poses[1].repeats);
-  EXPECT_EQ(captures_.poses[2].repeats, PoseId(1));
+  ASSERT_THAT(collect(captures_.poses, &CapturedPose::repeats), ElementsAre(std::nullopt, std::nullopt, PoseId(1)));
   EXPECT_NEAR(toDegrees(captures_.poses[2].repeat_angle_rad), 4, 0.5);
 
   // The session's own list counts: without the first pose nothing is repeated.
@@ -176,8 +160,7 @@ TEST_F(PoseRecorderTest, NamesThePoseThatIsRepeated) {
 }
 
 TEST_F(PoseRecorderTest, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
-  SyntheticStream stream(cells(3));
-  stream.hold(3);
+  SyntheticStream stream = held(3, cells(3));
   stream.frames[10].temperatures.push_back({CellId(2), 31.5});
   stream.frames[1000].temperatures.push_back({CellId(2), 32.5});
   feed(recorder_, stream.frames);
@@ -197,8 +180,7 @@ TEST_F(PoseRecorderTest, ShowsThePresentReadingsAtMostTwentyTimesASecond) {
 }
 
 TEST_F(PoseRecorderTest, StartsOverWithAnotherSkin) {
-  SyntheticStream stream(cells(3));
-  stream.hold(2);
+  SyntheticStream stream = held(2, cells(3));
   recorder_.setSkin(skinOf(3));
   feed(recorder_, stream.frames);
   recorder_.setSkin(skinOf(3, 500));
@@ -209,15 +191,11 @@ TEST_F(PoseRecorderTest, StartsOverWithAnotherSkin) {
 }
 
 TEST_F(PoseRecorderTest, RefusesOptionsThatMakeNoSense) {
-  PoseRecorderOptions options;
-  options.collect_s = 0;
-  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
-  options = {};
-  options.repeat_angle_rad = -1;
-  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
-  options = {};
-  options.stillness.hold_s = -1;
-  EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
+  for (const PoseRecorderOptions& options :
+       {test::with(&PoseRecorderOptions::collect_s, 0), test::with(&PoseRecorderOptions::repeat_angle_rad, -1),
+        test::with(&PoseRecorderOptions::stillness, test::with(&StillnessOptions::hold_s, -1))}) {
+    EXPECT_THROW(PoseRecorder(captures_, options), InvalidArgument);
+  }
 }
 
 }  // namespace

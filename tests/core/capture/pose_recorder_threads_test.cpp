@@ -1,7 +1,6 @@
 #include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
 
-#include <gtest/gtest.h>
 #include <atomic>
 #include <thread>
 

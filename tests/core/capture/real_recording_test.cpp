@@ -3,10 +3,8 @@
 #include "hexoderm/base/text.h"
 #include "tests/core/capture/captures_of.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
 #include <fstream>
 
 namespace hexoderm {
@@ -33,19 +31,11 @@ std::vector<SampleFrame> recording() {
 
 /// The times in which the standard deviation over 0.5 s (rms of the axes) stays below 6 mg for longer than 1.5 s; in
 /// between it is hundreds of mg. Found without the detector.
-constexpr std::array<std::pair<double, double>, 13> kHeld_s = {{{0.03, 52.62},
-                                                                {54.72, 64.17},
-                                                                {66.97, 76.72},
-                                                                {79.62, 89.12},
-                                                                {92.47, 102.87},
-                                                                {105.87, 113.77},
-                                                                {116.22, 125.47},
-                                                                {128.22, 135.87},
-                                                                {138.07, 147.91},
-                                                                {152.36, 161.11},
-                                                                {164.31, 172.21},
-                                                                {176.21, 188.31},
-                                                                {192.41, 199.96}}};
+constexpr std::array kHeld_s = {std::pair(0.03, 52.62),    std::pair(54.72, 64.17),   std::pair(66.97, 76.72),
+                                std::pair(79.62, 89.12),   std::pair(92.47, 102.87),  std::pair(105.87, 113.77),
+                                std::pair(116.22, 125.47), std::pair(128.22, 135.87), std::pair(138.07, 147.91),
+                                std::pair(152.36, 161.11), std::pair(164.31, 172.21), std::pair(176.21, 188.31),
+                                std::pair(192.41, 199.96)};
 
 /// Every hold is captured once, and no motion.
 Captures capturedOf(const std::vector<SampleFrame>& frames) {

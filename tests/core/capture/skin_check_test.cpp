@@ -3,16 +3,12 @@
 #include "hexoderm/skin/built_in_models.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/simulated_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using testing::Contains;
 using testing::Field;
-using testing::HasSubstr;
-using testing::SizeIs;
 
 std::shared_ptr<const Reconstruction> x17() {
   return reconstruct(*beginSimulatedSession(test::simulatedSkin()).snapshot());

@@ -6,14 +6,6 @@
 #include "hexoderm/base/units.h"
 #include "tests/core/capture/pose_recorder_fixture.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <ostream>
-#include <random>
-#include <utility>
-#include <vector>
-
 namespace hexoderm {
 namespace {
 
@@ -58,8 +50,7 @@ class ShakenPart {
     const double begin_s = now_s_;
     const double step_s = 1 / (sensors_.rate_hz * sensors_.frames_per_reading);
     for (; now_s_ < begin_s + duration_s; now_s_ += step_s, angle_rad_ += rate_rad_s * step_s) {
-      SampleFrame frame;
-      frame.time_s = now_s_ + 0.04 * step_s * uniform(-1, 1);
+      SampleFrame frame{now_s_ + 0.04 * step_s * uniform(-1, 1)};
       for (std::size_t k = 0; k < cells_.size(); ++k) {
         if (sensors_.frames_per_reading == 1 || now_s_ >= cells_[k].next_s) read(cells_[k]);
         frame.samples.push_back({CellId(static_cast<std::uint32_t>(k + 1)), cells_[k].shown_g});
@@ -201,8 +192,7 @@ INSTANTIATE_TEST_SUITE_P(All, SlowSensors, ::testing::ValuesIn(allSensors()));
 
 /// A gateway's repetitions are no information: neither for the rate nor for what a mean is worth.
 TEST(RepeatedReadings, CountOnce) {
-  Sensors sensors;
-  sensors.vibration_g = 0.02;
+  Sensors sensors{.vibration_g = 0.02};
   for (const double times : {1.0, 4.5}) {
     sensors.frames_per_reading = times;
     const Captures captures = heldFor(10, sensors, 3);
@@ -219,10 +209,7 @@ TEST(RepeatedReadings, CountOnce) {
 
 TEST(RepeatedReadings, OfAQuietSensorAreReadings) {
   // Its noise is below its step: three readings in four are equal by chance, and none is a repetition.
-  Sensors sensors;
-  sensors.rate_hz = 100;
-  sensors.vibration_g = 0.15 * k12Bits_g;
-  const Captures captures = heldFor(5, sensors, 2);
+  const Captures captures = heldFor(5, {.rate_hz = 100, .vibration_g = 0.15 * k12Bits_g}, 2);
   ASSERT_EQ(captures.poses.size(), 1U);
   EXPECT_NEAR(captures.holds.back().stillness.rate_hz, 100, 5);
 }

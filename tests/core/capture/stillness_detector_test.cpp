@@ -1,25 +1,17 @@
 #include "hexoderm/capture/stillness_detector.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/capture/synthetic_stream.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/options.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <functional>
-#include <limits>
 
 namespace hexoderm {
 namespace {
 
+using test::held;
 using test::StreamOptions;
 using test::SyntheticStream;
-using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
-using ::testing::StartsWith;
 
 Accelerometer accelerometer() { return builtInCellModel("hex-bma150").accelerometer; }
 
@@ -39,10 +31,8 @@ double stillShare(StillnessDetector& detector, const std::vector<SampleFrame>& f
 }
 
 const OddCell* oddOne(const Stillness& stillness, std::uint32_t cell) {
-  for (const OddCell& odd : stillness.odd_cells) {
-    if (odd.cell == CellId(cell)) return &odd;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(stillness.odd_cells, CellId(cell), &OddCell::cell);
+  return found == stillness.odd_cells.end() ? nullptr : &*found;
 }
 
 /// Changes the readings of one cell.
@@ -53,12 +43,6 @@ void spoil(std::vector<SampleFrame>& frames, std::uint32_t cell,
       if (sample.cell == CellId(cell)) sample.acceleration_g = spoiled(sample.acceleration_g, frame.time_s);
     }
   }
-}
-
-SyntheticStream held(double duration_s, StreamOptions options = {}) {
-  SyntheticStream stream(options);
-  stream.hold(duration_s);
-  return stream;
 }
 
 TEST(StillnessDetector, WaitsUntilItHasAWindowOfSamples) {
@@ -155,8 +139,7 @@ TEST(StillnessDetector, TheNormOfAReadingNeverBlocks) {
 }
 
 TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
-  SyntheticStream stream({.cells = 5, .offset_g = 0.1});
-  stream.hold(1.5);
+  SyntheticStream stream = held(1.5, {.cells = 5, .offset_g = 0.1});
   StillnessDetector detector(accelerometer());
   feed(detector, stream.frames);
   ASSERT_TRUE(detector.stillness().ready());
@@ -187,8 +170,7 @@ TEST(StillnessDetector, IsArmedAgainByAMoveOfMoreThanFiveDegrees) {
 
 TEST(StillnessDetector, StaysArmedWhenThePartReturns) {
   StillnessDetector detector(accelerometer());
-  SyntheticStream first(StreamOptions{});
-  first.hold(1.5);
+  SyntheticStream first = held(1.5);
   feed(detector, first.frames);
   detector.disarm(averageFrames(first.frames, PoseId(1), {}));
   first.frames.clear();
@@ -213,8 +195,7 @@ class StillnessDetectorWith : public ::testing::TestWithParam<BadCell> {};
 
 TEST_P(StillnessDetectorWith, OneBadCellDoesNotBlockAndIsNamed) {
   for (const double rate_hz : {100.0, 1000.0}) {
-    SyntheticStream stream({.cells = 5, .rate_hz = rate_hz, .tremor_g = 0.005});
-    stream.hold(5);
+    SyntheticStream stream = held(5, {.cells = 5, .rate_hz = rate_hz, .tremor_g = 0.005});
     stream.move(60 * kDegree, 2);
     const double still_from_s = stream.hold(6).first + 1;
     spoil(stream.frames, 3, GetParam().spoiled);
@@ -259,8 +240,7 @@ TEST(StillnessDetector, SaysWhatADeadCellReads) {
 }
 
 TEST(StillnessDetector, ACellThatTurnsAloneBlocksForAWhile) {
-  SyntheticStream stream({.cells = 5});
-  stream.hold(8);
+  SyntheticStream stream = held(8, {.cells = 5});
   spoil(stream.frames, 2,
         [](const auto&, double t) { return Eigen::Vector3d(std::cos(0.2 * t), std::sin(0.2 * t), 0); });
   StillnessDetector detector(accelerometer());
@@ -368,8 +348,7 @@ TEST(StillnessDetector, JudgesMeansThatTheDeviceMade) {
     for (const SampleFrame& frame : stream.frames) {
       batch.push_back(frame);
       if (frame.time_s < batch.front().time_s + mean_s) continue;
-      SampleFrame means;
-      means.time_s = frame.time_s;
+      SampleFrame means{frame.time_s};
       for (const GravitySample& sample : averageFrames(batch, PoseId(1), {}).samples) {
         means.means.push_back({sample.cell, sample.mean_g, sample.count * sample.cov_g2.diagonal(), sample.count});
       }

@@ -1,9 +1,14 @@
 #include "hexoderm/capture/pose_recorder.h"
 
-#include <gtest/gtest.h>
+#include "tests/support/options.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
+
+using ::testing::_;
+using ::testing::DoubleEq;
+using ::testing::FieldsAre;
 
 HoldStatus blockedBy(Blocker blocker, double time_s, CellId cell = {}) {
   HoldStatus hold;
@@ -23,22 +28,13 @@ TEST(StillnessStatistics, AddsUpWhatBlockedAndWhichCellDecided) {
   ledger.add(blockedBy(Blocker::Shaking, 15, CellId(9)));
   ledger.add(blockedBy(Blocker::Shaking, 16, CellId(7)));
   ledger.add(blockedBy(Blocker::None, 18));
-  HoldStatus collecting = blockedBy(Blocker::NotMoved, 19);
-  collecting.phase = HoldPhase::Collecting;
-  ledger.add(collecting);
+  ledger.add(test::with(blockedBy(Blocker::NotMoved, 19), &HoldStatus::phase, HoldPhase::Collecting));
 
   EXPECT_DOUBLE_EQ(ledger.watched_s(), 9);
   EXPECT_DOUBLE_EQ(ledger.still_s(), 3);
-  const std::vector<BlockedTime> blocked = ledger.blocked();
-  ASSERT_EQ(blocked.size(), 2U);
-  EXPECT_EQ(blocked[0].blocker, Blocker::Shaking);
-  EXPECT_DOUBLE_EQ(blocked[0].duration_s, 5);
-  EXPECT_EQ(blocked[0].cell, CellId(9));
-  EXPECT_DOUBLE_EQ(blocked[0].cell_s, 3);
-  EXPECT_EQ(blocked[1].blocker, Blocker::Waiting);
-  EXPECT_DOUBLE_EQ(blocked[1].duration_s, 1);
-  EXPECT_EQ(blocked[1].cell, CellId());
-  EXPECT_EQ(blocked[1].message.english(), "Waiting for samples");
+  const auto waiting = ::testing::Property(&Message::english, "Waiting for samples");
+  EXPECT_THAT(ledger.blocked(), ElementsAre(FieldsAre(Blocker::Shaking, DoubleEq(5), CellId(9), DoubleEq(3), waiting),
+                                            FieldsAre(Blocker::Waiting, DoubleEq(1), CellId(), _, waiting)));
 }
 
 TEST(StillnessStatistics, CountsNothingWhereTheClockGoesBack) {

@@ -1,11 +1,12 @@
 #include "hexoderm/capture/stillness_trace.h"
 
-#include <gtest/gtest.h>
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
+
+using ::testing::_;
+using ::testing::FieldsAre;
 
 constexpr double kStep_s = 0.05;
 
@@ -90,12 +91,9 @@ TEST(StillnessTrace, MarksCapturesArmingAndStartsOver) {
   trace.add(holdOf(7, false, 3), previewOf(1));
   trace.add(holdOf(7, true, 3), previewOf(2));
   trace.add(holdOf(7, true, 4), previewOf(3));
-  ASSERT_EQ(trace.events().size(), 3U);
-  EXPECT_EQ(trace.events()[0].kind, TraceEventKind::Captured);
-  EXPECT_EQ(trace.events()[0].pose, PoseId(4));
-  EXPECT_EQ(trace.events()[1].kind, TraceEventKind::ArmedAgain);
-  EXPECT_EQ(trace.events()[1].time_s, 2);
-  EXPECT_EQ(trace.events()[2].kind, TraceEventKind::StartsOver);
+  EXPECT_THAT(trace.events(),
+              ElementsAre(FieldsAre(_, TraceEventKind::Captured, PoseId(4)),
+                          FieldsAre(2, TraceEventKind::ArmedAgain, _), FieldsAre(_, TraceEventKind::StartsOver, _)));
   trace.add(holdOf(7, true, 4), previewOf(12.5));
   EXPECT_EQ(trace.events().size(), 1U) << "events leave with their time";
 }

@@ -4,13 +4,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/device/sample_frame.h"
 #include "tests/support/random_vector.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 
@@ -22,8 +16,7 @@ struct StreamOptions {
   double lsb_g = 0.004;
   double offset_g = 0;  ///< per axis, uniform up to this, drawn per cell
   double gain = 1;
-  double tremor_g = 0;     ///< rms per axis, of three waves of 4 to 12 Hz, common to all cells
-  double drift_rad_s = 0;  ///< while held, about a horizontal axis
+  double tremor_g = 0;  ///< rms per axis, of three waves of 4 to 12 Hz, common to all cells
   unsigned seed = 1;
 };
 
@@ -54,10 +47,7 @@ class SyntheticStream {
   Eigen::Vector3d someAxis() { return up_.cross(randomVector()).normalized(); }
 
   /// Returns [begin, end) in device time.
-  std::pair<double, double> hold(double duration_s) {
-    const Eigen::Vector3d axis = someAxis(), from = up_;
-    return run(duration_s, [&](double t) { return Eigen::Vector3d(expSO3(axis * options_.drift_rad_s * t) * from); });
-  }
+  std::pair<double, double> hold(double duration_s) { return turn(0, duration_s); }
   std::pair<double, double> move(double angle_rad, double duration_s) {
     const Eigen::Vector3d axis = someAxis(), from = up_;
     return run(duration_s, [&](double t) {
@@ -70,13 +60,10 @@ class SyntheticStream {
     return run(duration_s, [&](double t) { return Eigen::Vector3d(expSO3(axis * angle_rad * t / duration_s) * from); });
   }
   std::pair<double, double> turn(double rate_rad_s, double duration_s) {
-    const Eigen::Vector3d axis = someAxis(), from = up_;
-    return run(duration_s, [&](double t) { return Eigen::Vector3d(expSO3(axis * rate_rad_s * t) * from); });
+    return turnAbout(someAxis(), rate_rad_s * duration_s, duration_s);
   }
 
   std::vector<SampleFrame> frames;
-  std::vector<Eigen::Vector3d> ups;  ///< the truth, one per frame
-  [[nodiscard]] double now_s() const { return now_s_; }
   [[nodiscard]] const Eigen::Vector3d& up() const { return up_; }
 
  private:
@@ -96,8 +83,7 @@ class SyntheticStream {
           force(axis) += options_.tremor_g * std::sqrt(2.0 / 3) * std::sin(rate_rad_s * now_s_ + phase);
         }
       }
-      SampleFrame frame;
-      frame.time_s = now_s_;
+      SampleFrame frame{now_s_};
       for (std::size_t k = 0; k < cells_.size(); ++k) {
         Eigen::Vector3d reading = options_.gain * (cells_[k].R_u_b * force) + cells_[k].offset_g;
         reading += options_.noise_g * randomVector();
@@ -105,7 +91,6 @@ class SyntheticStream {
         frame.samples.push_back({CellId(static_cast<std::uint32_t>(k + 1)), reading});
       }
       frames.push_back(std::move(frame));
-      ups.push_back(up_);
       now_s_ += (1 + options_.jitter * uniform(-1, 1)) / options_.rate_hz;
     }
     up_ = path(duration_s).normalized();
@@ -120,5 +105,12 @@ class SyntheticStream {
   Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();
   double now_s_ = 10;
 };
+
+/// A stream that begins with a hold.
+inline SyntheticStream held(double duration_s, const StreamOptions& options = {}) {
+  SyntheticStream stream(options);
+  stream.hold(duration_s);
+  return stream;
+}
 
 }  // namespace hexoderm::test

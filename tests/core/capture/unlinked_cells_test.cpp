@@ -5,10 +5,10 @@
 
 #include "tests/core/device/sources/loopback_device.h"
 #include "tests/core/device/sources/wire_host.h"
+#include "tests/support/neighbor_lists.h"
+#include "tests/support/testing.h"
 
 #include <sys/resource.h>
-
-#include <gtest/gtest.h>
 
 #include <chrono>
 #include <future>
@@ -58,8 +58,6 @@ class Recording final : public SkinListener, public PoseRecorderListener {
 
 TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
   const long before_KiB = mostMemory_KiB();
-  CellModel model = builtInCellModel("hex-bma150");
-  model.interface_id = CellId(kCells + 1);
   skinwire::Topology topology{1, 0, 1, {}};
   skinwire::Samples samples{.period_us = 1000};
   for (std::uint32_t id = 1; id <= kCells; ++id) {
@@ -73,7 +71,8 @@ TEST(UnlinkedCells, TwentyThousandAreCapturedInLittleMemory) {
   const auto source = wireSource(device.address(), patient());
   source->start(recording);
   DeviceConnection connection = device.accept();
-  connection.send(skinwire::Hello{skinwire::kMinor, "many", cellModelToJson(model), false, false, 100, 1});
+  connection.send(
+      skinwire::Hello{skinwire::kMinor, "many", cellModelToJson(test::modelOfMany()), false, false, 100, 1});
   connection.send(topology);
   // 3 s at 100 Hz, held still, with noise of one LSB.
   for (std::uint64_t tick = 0; tick < 300; ++tick) {

@@ -1,25 +1,18 @@
 #include "hexoderm/device/listening.h"
 
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
-#include <cmath>
 #include <numbers>
-#include <random>
 
 namespace hexoderm {
 namespace {
 
-using testing::ElementsAre;
-using testing::HasSubstr;
-
 SkinDescription threeCells() {
-  SkinDescription skin;
-  skin.device = Message::verbatim("three cells");
-  skin.model = std::make_shared<const CellModel>(builtInCellModel("hex-bma150"));
-  skin.neighbors = {{CellId(1), "", {{PortNumber(1), CellId(2), PortNumber(3)}}},
-                    {CellId(2), "", {{PortNumber(3), CellId(1), PortNumber(1)}}},
-                    {CellId(3), "", {{PortNumber(1), CellId(2), PortNumber(4)}}}};
-  return skin;
+  return {Message::verbatim("three cells"),
+          std::make_shared<const CellModel>(builtInCellModel("hex-bma150")),
+          {{CellId(1), "", {{PortNumber(1), CellId(2), PortNumber(3)}}},
+           {CellId(2), "", {{PortNumber(3), CellId(1), PortNumber(1)}}},
+           {CellId(3), "", {{PortNumber(1), CellId(2), PortNumber(4)}}}}};
 }
 
 /// Simulated readings at 200 Hz of cells 1 and 2, while the part turns by a degree a second.
@@ -29,8 +22,7 @@ Listening heard(double noise_g, int frames) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, noise_g);
   for (int k = 0; k < frames; ++k) {
-    SampleFrame frame;
-    frame.time_s = 10 + 0.005 * k;
+    SampleFrame frame{10 + 0.005 * k};
     const double angle = 0.0175 * 0.005 * k;
     for (const std::uint32_t cell : {1U, 2U}) {
       frame.samples.push_back({CellId(cell), Eigen::Vector3d(std::sin(angle) + noise(random), noise(random),
@@ -60,12 +52,7 @@ TEST(Listening, MeasuresRatesNormsAndNoise) {
 
 TEST(Listening, AClockThatStartsAgainAndAbsurdReadingsLeaveMetricsFinite) {
   Listening listening = heard(0.02, 200);
-  SampleFrame frame;
-  frame.time_s = 0;
-  frame.samples = {{CellId(1), Eigen::Vector3d::Constant(3e38)}};
-  listening.onFrame(frame);
-  frame.time_s = 0.005;
-  listening.onFrame(frame);
+  for (const double time_s : {0.0, 0.005}) listening.onFrame({time_s, {{CellId(1), Eigen::Vector3d::Constant(3e38)}}});
   const ListeningReport report = listening.report();
   EXPECT_NEAR(*report.cells[0].rate_hz, 200, 1e-6);
   EXPECT_EQ(report.cells[0].norm_g->most, 1e6);
@@ -79,12 +66,8 @@ TEST(Listening, MeansAreAlongTheAxesOfTheCell) {
   skin.model = std::make_shared<const CellModel>(model);
   Listening listening;
   listening.onSkin(skin);
-  SampleFrame frame;
-  for (const double x_g : {0.9, 1.1}) {
-    frame.samples = {{CellId(1), Eigen::Vector3d(x_g, 0.1, 0.2)}};
-    listening.onFrame(frame);
-    frame.time_s += 0.01;
-  }
+  listening.onFrame({0, {{CellId(1), {0.9, 0.1, 0.2}}}});
+  listening.onFrame({0.01, {{CellId(1), {1.1, 0.1, 0.2}}}});
   const Eigen::Vector3d mean_u = *listening.report().cells[0].mean_u;
   EXPECT_NEAR((mean_u - Eigen::Vector3d(-0.1, 1, 0.2)).norm(), 0, 1e-12) << mean_u;
 }
@@ -95,9 +78,7 @@ TEST(Listening, SaysThatALineIsTooSlow) {
     listening.onSkin(threeCells());
     const Listening::Clock::time_point begin{};
     for (int k = 0; k < 200; ++k) {
-      SampleFrame frame;
-      frame.time_s = 5 + k / device_hz;
-      frame.samples = {{CellId(1), Eigen::Vector3d::UnitZ()}, {CellId(2), Eigen::Vector3d::UnitZ()}};
+      const SampleFrame frame{5 + k / device_hz, {{CellId(1), {0, 0, 1}}, {CellId(2), {0, 0, 1}}}};
       const auto since = std::chrono::duration<double>(k / host_hz);
       listening.add(frame, begin + std::chrono::duration_cast<Listening::Clock::duration>(since));
     }
@@ -115,10 +96,8 @@ TEST(Listening, SaysThatALineIsTooSlow) {
   status.offences = {{ProtocolViolationKind::TimeUnit, message("milliseconds?")}};
   listening.onStatus(status);
   for (int k = 0; k < 200; ++k) {
-    SampleFrame frame;
-    frame.time_s = 5 + k / 1e5;
-    frame.samples = {{CellId(1), Eigen::Vector3d::UnitZ()}};
-    listening.add(frame, Listening::Clock::time_point(std::chrono::milliseconds(30 * k)));
+    listening.add({5 + k / 1e5, {{CellId(1), {0, 0, 1}}}},
+                  Listening::Clock::time_point(std::chrono::milliseconds(30 * k)));
   }
   EXPECT_THAT(listening.report().remarks, testing::IsEmpty());
 }

@@ -1,16 +1,12 @@
 #include "hexoderm/device/plausibility.h"
 
 #include "hexoderm/skin/cell_model.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::HasSubstr;
 using Pace = ClockCheck::Pace;
 
 const Accelerometer kSensor = builtInCellModel("hex-bma150").accelerometer;

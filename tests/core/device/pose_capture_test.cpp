@@ -1,11 +1,12 @@
 #include "hexoderm/device/pose_average.h"
 
-#include <gtest/gtest.h>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
+
+using ::testing::_;
+using ::testing::FieldsAre;
 
 TEST(AverageFrames, GivesMeanCovarianceOfTheMeanAndCount) {
   const std::vector<SampleFrame> frames = {
@@ -48,12 +49,8 @@ TEST(AverageFrames, CellsMayBeMissingFromFrames) {
       {0, {{CellId(2), {0, 0, 1}}}},
   };
   const PoseCapture pose = averageFrames(frames, PoseId(1), {});
-  ASSERT_EQ(pose.samples.size(), 2U);
-  EXPECT_EQ(pose.samples[0].cell, CellId(1));
-  EXPECT_EQ(pose.samples[0].count, 1U);
-  EXPECT_EQ(pose.samples[0].cov_g2, Eigen::Matrix3d::Zero());
-  EXPECT_EQ(pose.samples[1].cell, CellId(2));
-  EXPECT_EQ(pose.samples[1].count, 2U);
+  EXPECT_THAT(pose.samples, ElementsAre(FieldsAre(CellId(1), _, Eigen::Matrix3d(Eigen::Matrix3d::Zero()), 1U, _),
+                                        FieldsAre(CellId(2), _, _, 2U, _)));
 }
 
 TEST(AverageFrames, LeavesOutSamplesThatAreNotFinite) {
@@ -64,9 +61,7 @@ TEST(AverageFrames, LeavesOutSamplesThatAreNotFinite) {
       {0, {{CellId(1), {0, 0, 1}}}},
   };
   const PoseCapture pose = averageFrames(frames, PoseId(1), {});
-  ASSERT_EQ(pose.samples.size(), 1U);
-  EXPECT_EQ(pose.samples[0].mean_g, Eigen::Vector3d(0, 0, 1));
-  EXPECT_EQ(pose.samples[0].count, 1U);
+  EXPECT_THAT(pose.samples, ElementsAre(FieldsAre(CellId(1), Eigen::Vector3d(0, 0, 1), _, 1U, _)));
 }
 
 TEST(AverageFrames, PoolsMeansThatTheDeviceMadeWithSamples) {

@@ -1,12 +1,9 @@
 #include "hexoderm/device/topology_check.h"
 
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using testing::HasSubstr;
-using testing::IsEmpty;
 
 const CellModel kModel = builtInCellModel("hex-bma150");
 

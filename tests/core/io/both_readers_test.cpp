@@ -11,14 +11,7 @@
 #include "tests/support/random_session.h"
 #include "tests/support/rich_calibration.h"
 #include "tests/support/solvers.h"
-
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <map>
-#include <random>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,28 +1,21 @@
 #include "hexoderm/io/calibration_json.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/json_complaints.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/result_builder.h"
 #include "tests/support/rich_calibration.h"
 #include "tests/support/session_matchers.h"
+#include "tests/support/solvers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-
-#include <limits>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
 using test::richCalibration;
-using test::saysAll;
 using test::TemporaryFolder;
 
 nlohmann::json richJson() { return nlohmann::json::parse(calibrationToJson(richCalibration())); }
@@ -161,10 +154,7 @@ TEST(CalibrationJson, KeepsEveryGapModelOfTheGlobalSolver) {
 
 TEST(CalibrationJson, KeepsTheGapModelOfATreeWhichHasNoGapShare) {
   const Session session = readSessionJson(std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json");
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  options.gap_model = GapModel::Arc;
-  const std::string text = calibrationToJson(*reconstruct(*session.snapshot(), options));
+  const std::string text = calibrationToJson(*reconstruct(*session.snapshot(), test::by(Solver::Tree, GapModel::Arc)));
   const nlohmann::json json = nlohmann::json::parse(text);
   EXPECT_EQ(json["solver"], "tree");
   EXPECT_EQ(json["gap_model"], "arc");
@@ -276,12 +266,10 @@ TEST(CalibrationJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
 
 TEST(CalibrationJson, IsRefusedWhereverItIsCutOff) {
   const std::string text = calibrationToJson(richCalibration());
-  const std::size_t end = text.find_last_of('}');
-  for (std::size_t size = 0; size <= end; size += 7) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(std::string_view(text).substr(0, size), "c.json"); }),
-                saysAll("c.json: "))
-        << "cut after " << size << " bytes";
-  }
+  constexpr std::size_t kStep = 7;
+  expectRefusedWhereverCutOff(
+      text, text.find_last_of('}'), "c.json: ", [](const std::string& cut) { parseCalibrationJson(cut, "c.json"); },
+      kStep);
 }
 
 TEST(CalibrationJson, IsWrittenWholeOrNotAtAll) {

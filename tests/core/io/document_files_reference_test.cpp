@@ -10,8 +10,7 @@
 #include "tests/support/both_readers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,6 +1,5 @@
 #include "hexoderm/io/export_csv.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
@@ -8,16 +7,10 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/other_programs.h"
 
-#include <gmock/gmock.h>
-
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 class ExportCsv : public ExportTest {
  protected:

@@ -1,18 +1,14 @@
 #include "hexoderm/io/export_formats.h"
 
 #include "tests/support/hand_made_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/graphviz.hpp>
-#include <map>
 #include <sstream>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::HasSubstr;
 
 struct BoostNode {
   std::string name, label, pos, peripheries;

@@ -7,11 +7,8 @@
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 
-#include <gmock/gmock.h>
-
 #include <cctype>
 #include <pugixml.hpp>
-#include <set>
 
 namespace hexoderm {
 namespace {

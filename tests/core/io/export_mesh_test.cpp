@@ -6,24 +6,14 @@
 #include "hexoderm/solve/metrics/patch_mesh.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstring>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 
 Reconstruction onePatch() {
   Reconstruction one = makeTestReconstruction();
@@ -39,17 +29,17 @@ Eigen::Matrix3d sceneFromSkin() {
 }
 
 TEST(ExportMesh, HoldsClosedPrismsAtTheirPlaces) {
-  struct Mesh {
+  struct MeshFile {
     ExportFormat format;
     const char* file;
     LengthUnit stl_unit = LengthUnit::Millimetres;
     double unit = 1;
     Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   };
-  for (const Mesh& expected : {Mesh{ExportFormat::Ply, "skin.ply"}, Mesh{ExportFormat::Obj, "skin.obj"},
-                               Mesh{ExportFormat::Stl, "skin.stl", LengthUnit::Millimetres, 1e3},
-                               Mesh{ExportFormat::Stl, "skin.stl", LengthUnit::Metres},
-                               Mesh{ExportFormat::Gltf, "skin.glb", {}, 1, sceneFromSkin()}}) {
+  for (const MeshFile& expected : {MeshFile{ExportFormat::Ply, "skin.ply"}, MeshFile{ExportFormat::Obj, "skin.obj"},
+                                   MeshFile{ExportFormat::Stl, "skin.stl", LengthUnit::Millimetres, 1e3},
+                                   MeshFile{ExportFormat::Stl, "skin.stl", LengthUnit::Metres},
+                                   MeshFile{ExportFormat::Gltf, "skin.glb", {}, 1, sceneFromSkin()}}) {
     const std::string bytes = exportBytes(makeTestReconstruction(), expected.format,
                                           test::with(&ExportOptions::stl_unit, expected.stl_unit), expected.file);
     const TriangleMesh mesh = readMesh(bytes, expected.file);

@@ -2,24 +2,18 @@
 
 #include "hexoderm/io/export_package.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/io/calibration_json.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/hand_made_skins.h"
 
-#include <gmock/gmock.h>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {
 
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Not;
 
 class ExportPackage : public ExportTest {
@@ -31,9 +25,7 @@ class ExportPackage : public ExportTest {
              {"Grüße.txt", "", message("nothing at all")}}};
   }
   static std::vector<std::string> namesOf(const std::vector<PackageEntry>& entries) {
-    std::vector<std::string> names;
-    for (const PackageEntry& entry : entries) names.push_back(entry.name);
-    return names;
+    return collect(entries, &PackageEntry::name);
   }
 
   /// As it is read back: a calibration has a residual, or none, for each link in each pose.

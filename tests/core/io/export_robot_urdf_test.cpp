@@ -1,23 +1,12 @@
 // The robot's URDF with the skin on it, as urdfdom and check_urdf read it.
 
-#include "hexoderm/base/error.h"
 #include "tests/core/io/placed_skin.h"
 #include "tests/support/other_programs.h"
 
-#include <gmock/gmock.h>
 #include <urdf_parser/urdf_parser.h>
-
-#include <algorithm>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 /// Two joints that move, a comment that ends the robot in vain, and attributes in both kinds of quotes.
 constexpr const char* kRobot = R"(<?xml version="1.0"?>

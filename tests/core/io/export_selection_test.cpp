@@ -2,27 +2,14 @@
 
 #include "hexoderm/io/export_selection.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/sha256.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/hand_made_skins.h"
 
-#include <gmock/gmock.h>
-
-#include <Eigen/Cholesky>
-#include <limits>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <random>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class ExportSelections : public ExportTest {
  protected:
@@ -162,9 +149,8 @@ TEST_F(ExportSelections, ABundleSaysWhatItsFilesAre) {
     EXPECT_TRUE(files.at(angles).at("length_unit").is_null()) << angles;
     EXPECT_FALSE(files.at(angles).contains("coordinates")) << angles;
   }
-  std::vector<std::string> words;
-  for (const auto& frame : manifest.at("frames")) words.push_back(frame.at("words"));
-  EXPECT_THAT(words, Contains("maps points of cell 7 into link r_forearm"));
+  const auto wordsOf = [](const nlohmann::json& frame) { return frame.at("words").get<std::string>(); };
+  EXPECT_THAT(collect(manifest.at("frames"), wordsOf), Contains("maps points of cell 7 into link r_forearm"));
   const auto& first = manifest.at("frames").at(0);
   EXPECT_EQ(first.at("cell"), 3);
   const Eigen::Vector3d t_l_u = T_l_o_ * reconstruction_.patches[0].cells[0].T_o_u.t;

@@ -1,19 +1,18 @@
 #include "hexoderm/io/export_staging.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/failing_disk.h"
-
-#include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
-using ExportStaging = ExportTest;
+class ExportStaging : public ExportTest {
+ protected:
+  /// Why the folder of this name does not take these files.
+  [[nodiscard]] std::string refusal(const std::string& name, const std::vector<StagedFile>& files) const {
+    return messageOf<StorageError>([&] { publishFolder(in(name), files); });
+  }
+};
 
 TEST_F(ExportStaging, MakesAFolderForItsFiles) {
   const auto paths = publishFolder(in("out/"), {{"a.csv", "1"}, {"b.csv", "2"}});
@@ -38,9 +37,7 @@ TEST_F(ExportStaging, ReplacesOnlyItsOwnFilesInAFolder) {
 TEST_F(ExportStaging, LeavesNoFolderIfOneOfItsFilesFails) {
   {
     const test::NoFileGrows full(1);
-    EXPECT_THAT(messageOf<StorageError>([&] {
-                  publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "two"}});
-                }),
+    EXPECT_THAT(refusal("out", {{"a.csv", "1"}, {"b.csv", "two"}}),
                 StartsWith(in("out/b.csv").string() + ": cannot be written: "));
   }
   EXPECT_THAT(names(), IsEmpty());
@@ -67,10 +64,7 @@ TEST_F(ExportStaging, PutsFilesBackIfALaterOneCannotBeReplaced) {
 
 TEST_F(ExportStaging, RefusesAFileWhereAFolderIsMeant) {
   write(in("out"), "mine");
-  EXPECT_THAT(messageOf<StorageError>([&] {
-                publishFolder(in("out"), {{"a.csv", "1"}});
-              }),
-              HasSubstr("is a file, expected a folder"));
+  EXPECT_THAT(refusal("out", {{"a.csv", "1"}}), HasSubstr("is a file, expected a folder"));
   EXPECT_EQ(read(in("out")), "mine");
 }
 
@@ -79,10 +73,7 @@ TEST_F(ExportStaging, ReplacesNothingThatIsNoFile) {
   write(in("elsewhere.csv"), "mine");
   write(in("out/a.csv"), "earlier");
   std::filesystem::create_symlink("../elsewhere.csv", in("out/b.csv"));
-  EXPECT_THAT(messageOf<StorageError>([&] {
-                publishFolder(in("out"), {{"a.csv", "1"}, {"b.csv", "2"}});
-              }),
-              HasSubstr("b.csv: is not a file"));
+  EXPECT_THAT(refusal("out", {{"a.csv", "1"}, {"b.csv", "2"}}), HasSubstr("b.csv: is not a file"));
   EXPECT_EQ(read(in("elsewhere.csv")), "mine");
   EXPECT_EQ(read(in("out/a.csv")), "earlier");
   EXPECT_THAT(names(), ElementsAre("elsewhere.csv", "out", "out/a.csv", "out/b.csv"));
@@ -101,10 +92,7 @@ TEST_F(ExportStaging, NamesAFolderThatCannotBe) {
   std::filesystem::create_symlink("loop", in("loop"));
   for (const std::string& name :
        {std::string(256, 'n'), std::string("loop"), std::string("file/out"), std::string("missing/out")}) {
-    EXPECT_THAT(messageOf<StorageError>([&] {
-                  publishFolder(in(name), {{"a.csv", "1"}});
-                }),
-                HasSubstr(in(name).string()));
+    EXPECT_THAT(refusal(name, {{"a.csv", "1"}}), HasSubstr(in(name).string()));
   }
   EXPECT_THAT(names(), ElementsAre("file", "loop"));
 }

@@ -1,15 +1,8 @@
-#include "hexoderm/base/error.h"
 #include "tests/core/io/placed_skin.h"
 #include "tests/core/io/taxel_readers.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::HasSubstr;
 
 using ExportTaxels = PlacedSkin;
 

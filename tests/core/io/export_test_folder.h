@@ -1,20 +1,11 @@
 #pragma once
 
-#include "tests/support/error_matchers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
-
-using test::messageOf;
 
 /// A folder of a test's own, gone at its end.
 class ExportTest : public ::testing::Test {
@@ -42,12 +33,5 @@ class ExportTest : public ::testing::Test {
   const test::TemporaryFolder temporary_;
   const std::filesystem::path& folder_ = temporary_.path();
 };
-
-/// `text` with its first `from` replaced; fails the test if there is none.
-inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << "nothing to tamper with: " << from;
-  return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
 
 }  // namespace hexoderm

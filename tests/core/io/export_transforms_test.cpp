@@ -3,21 +3,12 @@
 #include "tests/core/io/placed_skin.h"
 #include "tests/support/other_programs.h"
 
-#include <gmock/gmock.h>
-
-#include <map>
 #include <nlohmann/json.hpp>
 #include <pugixml.hpp>
-#include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 /// x y z qx qy qz qw and the two frames of a transform.
 struct Transform {

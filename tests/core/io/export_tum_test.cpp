@@ -1,15 +1,13 @@
 #include "hexoderm/io/exporter.h"
 #include "hexoderm/io/tum_xml.h"
 #include "tests/support/hand_made_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/options.h"
+#include "tests/support/testing.h"
 
 #include <pugixml.hpp>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
 
 TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
   const Reconstruction reconstruction = makeTestReconstruction();
@@ -23,15 +21,14 @@ TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
   EXPECT_LT((third.T_root_u.R - reconstruction.patches[0].cells[2].T_o_u.R).norm(), 1e-9);
   EXPECT_EQ(config.cells[3].root, CellId(20));
   EXPECT_EQ(config.cells[3].patch, 2U);
-  std::vector<std::uint32_t> neighbors;
-  for (const NeighborReport& neighbor : config.cells[1].report.neighbors) neighbors.push_back(neighbor.cell.value());
-  EXPECT_THAT(neighbors, ElementsAre(12, 12, 3, 20)) << "cell 7, the links that are not used too";
+  EXPECT_THAT(collect(config.cells[1].report.neighbors, &NeighborReport::cell),
+              ElementsAre(CellId(12), CellId(12), CellId(3), CellId(20)))
+      << "cell 7, the links that are not used too";
 }
 
 TEST(ExportTum, SaysWhereEveryRootCellIsInItsLink) {
   const SE3 T_hand_20{rotationFromRpy({0.4, -0.9, 2.5}), {0.25, 0, -0.125}};
-  ExportOptions options;
-  options.placements = {{CellId(20), "hand", T_hand_20, {}}};
+  const ExportOptions options = test::with(&ExportOptions::placements, {{CellId(20), "hand", T_hand_20, {}}});
   const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Tum, options, "skin.xml");
   pugi::xml_document document;
   ASSERT_TRUE(document.load_buffer(text.data(), text.size()));

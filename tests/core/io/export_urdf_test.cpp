@@ -1,28 +1,17 @@
 #include "hexoderm/io/export_urdf.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <map>
 #include <pugixml.hpp>
 #include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
 
 /// What a file of the skin holds.
@@ -78,11 +67,10 @@ pugi::xml_document exported(const Reconstruction& reconstruction, const ExportOp
 TEST(ExportUrdf, ChainsToEveryCellAndSensor) {
   const Reconstruction reconstruction = makeTestReconstruction();
   const auto T_root = chained(exported(reconstruction));
-  std::vector<std::string> link_names;
-  for (const auto& [name, T] : T_root) link_names.push_back(name);
-  EXPECT_THAT(link_names, UnorderedElementsAre("base_link", "skin_patch0", "skin_cell3", "skin_cell7", "skin_cell12",
-                                               "skin_cell3_accelerometer", "skin_cell7_force_1_gr_e",
-                                               "skin_cell7_force_1_gr_e_2", "skin_cell12_sensor"));
+  EXPECT_THAT(collect(T_root, &std::pair<const std::string, SE3>::first),
+              UnorderedElementsAre("base_link", "skin_patch0", "skin_cell3", "skin_cell7", "skin_cell12",
+                                   "skin_cell3_accelerometer", "skin_cell7_force_1_gr_e", "skin_cell7_force_1_gr_e_2",
+                                   "skin_cell12_sensor"));
   const auto& cells = reconstruction.patches[0].cells;
   expectNear(T_root.at("skin_patch0"), {}, "patch");
   expectNear(T_root.at("skin_cell3"), cells[0].T_o_u, "cell 3");

@@ -4,19 +4,12 @@
 
 #include "hexoderm/io/exporter.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
 
 /// The values of an array; no values if there is none of its name.
 template <class T>

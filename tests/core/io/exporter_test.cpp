@@ -1,6 +1,5 @@
 #include "hexoderm/io/exporter.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/sim/simulated_session.h"
@@ -10,18 +9,8 @@
 #include "tests/support/options.h"
 #include "tests/support/solvers.h"
 
-#include <gmock/gmock.h>
-
-#include <limits>
-#include <map>
-#include <set>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class EveryExport : public ExportTest, public ::testing::WithParamInterface<ExportFormat> {
  protected:
@@ -128,15 +117,13 @@ TEST_P(EveryExportOfPatches, NeverHoldsTwoPatchesAtOnePlaceUnasked) {
 TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
   const Reconstruction two = makeTestReconstruction();
   for (const auto& [cell, index] : {std::pair(3U, 0U), std::pair(7U, 0U), std::pair(20U, 1U)}) {
-    ExportOptions options = needed();
-    options.patch = CellId(cell);
+    const ExportOptions options = test::with(needed(), &ExportOptions::patch, CellId(cell));
     EXPECT_EQ(contents(two, options), contents(withPatch(index))) << cell;
     const std::vector<PatchLeftOut> left_out = patchesLeftOut(two, GetParam(), options);
     ASSERT_EQ(left_out.size(), 1U);
     EXPECT_EQ(left_out[0].patch, PatchId(1 - index));
   }
-  ExportOptions options = needed();
-  options.patch = CellId(99);
+  ExportOptions options = test::with(needed(), &ExportOptions::patch, CellId(99));
   EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("no patch holds a cell 99"));
   options.patch = CellId(7);
   options.all_patches = true;
@@ -145,8 +132,7 @@ TEST_P(EveryExportOfPatches, HoldsThePatchOfACellAlone) {
 
 TEST_P(EveryExportOfPatches, HoldsAllOfThemWhereItCanTellThemApart) {
   const Reconstruction two = makeTestReconstruction();
-  ExportOptions options = needed();
-  options.all_patches = true;
+  const ExportOptions options = test::with(needed(), &ExportOptions::all_patches, true);
   if (description().patches != PatchesInFile::All && description().patches != PatchesInFile::AllIfAsked) {
     EXPECT_THAT(messageOf<InvalidArgument>([&] { contents(two, options); }), HasSubstr("has one frame"));
     EXPECT_THROW(patchesLeftOut(two, GetParam(), options), InvalidArgument);
@@ -182,12 +168,7 @@ std::string nameOf(const ::testing::TestParamInfo<ExportFormat>& parameter) {
   return name;
 }
 
-std::vector<ExportFormat> everyFormat() {
-  std::vector<ExportFormat> formats;
-  for (const ExportFormatDescription& format : exportFormats()) formats.push_back(format.format);
-  return formats;
-}
-const auto kEveryFormat = ::testing::ValuesIn(everyFormat());
+const auto kEveryFormat = ::testing::ValuesIn(collect(exportFormats(), &ExportFormatDescription::format));
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExport, kEveryFormat, nameOf);
 INSTANTIATE_TEST_SUITE_P(Formats, EveryExportOfPatches, kEveryFormat, nameOf);
 
@@ -204,7 +185,7 @@ TEST(PatchesLeftOut, AreNamedOrCounted) {
               HasSubstr("Not in the file: 4000 patches (4000 cells)"));
 }
 
-TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
+TEST(MeshFormats, RefuseNoCellsAndPlacesThatSinglePrecisionCannotHold) {
   Reconstruction reconstruction = makeTestReconstruction();
   for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
     reconstruction.patches[0].cells[2].T_o_u.t.x() = kMaxLength_m;
@@ -212,11 +193,6 @@ TEST(MeshFormats, RefusePlacesThatSinglePrecisionCannotHold) {
     reconstruction.patches[0].cells[2].T_o_u.t.x() = -1e36;
     EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}, "f"); }),
                 HasSubstr("cell 12: the single precision"));
-  }
-}
-
-TEST(MeshFormats, RefuseAReconstructionWithoutCells) {
-  for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
     EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(test::ResultBuilder().build(), format, {}, "f"); }),
                 HasSubstr("no cells"));
   }

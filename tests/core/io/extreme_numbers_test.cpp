@@ -1,7 +1,6 @@
 // Finite numbers that no skin has: what is not refused with its key path is solved, evaluated and written without a
 // number that is none.
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/exporter.h"
@@ -15,17 +14,12 @@
 #include "tests/core/io/export_test_folder.h"
 #include "tests/support/solvers.h"
 
-#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-
-#include <array>
-#include <random>
 
 namespace hexoderm {
 namespace {
 
 using Json = nlohmann::json;
-using testing::HasSubstr;
 
 constexpr std::array kExtremes = {0.0,   5e-324, 1e-300,  1e-100, 1e-12, 1e-9, 1e-6,  1e-3,   1.0,
                                   1e3,   1e6,    1e9,     1e12,   1e13,  1e30, 1e100, 1e154,  1e200,
@@ -70,9 +64,7 @@ void useEverything(const Session& session, const std::string& what) {
     const auto result = reconstruct(*session.snapshot(), test::by(solver));
     expectFinite(*result, what);
     for (const PatchReconstruction& patch : result->patches) {
-      std::vector<Eigen::Vector3d> seen;
-      for (const GravityDirection& gravity : patch.gravity) seen.push_back(gravity.g_o);
-      EXPECT_TRUE(adviseNextPose(session.model(), seen, {}).up.allFinite());
+      EXPECT_TRUE(adviseNextPose(session.model(), collect(patch.gravity, &GravityDirection::g_o), {}).up.allFinite());
       for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Sphere, SurfaceKind::Cylinder}) {
         try {
           const SurfaceEvaluation fit = evaluateSurface(patch, kind);
@@ -212,13 +204,12 @@ TEST_F(ExtremeExports, AStoreRefusesWhatAFileDoes) {
 }
 
 TEST(ExtremeNumbers, AMeanOfAbsurdReadingsIsNotTaken) {
-  SampleFrame frame;
-  frame.samples = {{CellId(1), {0, 0, 1e30}}, {CellId(2), {0, 0, 1}}};
-  frame.means = {{CellId(3), {0, 1e7, 0}, {0, 0, 0}, 5},
-                 {CellId(4), {0, 1, 0}, {1e30, 0, 0}, 5},
-                 {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX},
-                 {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX}};
-  const std::array frames = {frame};
+  const std::array frames = {SampleFrame{0,
+                                         {{CellId(1), {0, 0, 1e30}}, {CellId(2), {0, 0, 1}}},
+                                         {{CellId(3), {0, 1e7, 0}, {0, 0, 0}, 5},
+                                          {CellId(4), {0, 1, 0}, {1e30, 0, 0}, 5},
+                                          {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX},
+                                          {CellId(5), {0, 1, 0}, {0, 0, 0}, UINT32_MAX}}}};
   const PoseCapture pose = averageFrames(frames, PoseId(1), {});
   ASSERT_EQ(pose.samples.size(), 2U);
   EXPECT_EQ(pose.samples[0].cell, CellId(2));

@@ -1,12 +1,8 @@
 #pragma once
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
+#include "tests/support/testing.h"
 
 #include <nlohmann/json.hpp>
-
-#include <string>
-#include <vector>
 
 namespace hexoderm::test {
 

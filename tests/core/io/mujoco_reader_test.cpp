@@ -2,14 +2,7 @@
 
 #include "tests/core/io/placed_skin.h"
 
-#include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
-
-#include <algorithm>
-#include <array>
-#include <memory>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {

@@ -1,22 +1,17 @@
 #include "hexoderm/io/open_file.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 #include "hexoderm/solve/reconstructor.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using test::TemporaryFolder;
 
 const std::filesystem::path kData = HEXODERM_TEST_DATA;

@@ -1,18 +1,10 @@
 #include "hexoderm/io/placements_json.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <string>
+#include "tests/support/session_matchers.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 std::vector<PatchOnLink> somePlacements() {
   PatchOnLink a{
@@ -24,22 +16,12 @@ std::vector<PatchOnLink> somePlacements() {
 TEST(PlacementsJson, ReadsBackWhatWasWritten) {
   const std::vector<PatchOnLink> before = somePlacements();
   const std::vector<PatchOnLink> after = placementsFromJson(placementsToJson(before), "a.json");
-  ASSERT_EQ(after.size(), before.size());
-  for (std::size_t k = 0; k < after.size(); ++k) {
-    EXPECT_EQ(after[k].origin, before[k].origin);
-    EXPECT_EQ(after[k].link, before[k].link);
-    EXPECT_EQ(after[k].T_l_o.R, before[k].T_l_o.R);
-    EXPECT_EQ(after[k].T_l_o.t, before[k].T_l_o.t);
-    EXPECT_EQ(after[k].cov_t_r, before[k].cov_t_r);
-  }
+  test::expectSameItems(after, before, test::expectSamePlace);
 }
 
 TEST(PlacementsJson, SaysWhatIsWrongAndWhere) {
   const auto says = [](const std::string& from, const std::string& to) {
-    std::string text = placementsToJson(somePlacements());
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    text.replace(at, from.size(), to);
+    const std::string text = replaced(placementsToJson(somePlacements()), from, to);
     return messageOf<FormatError>([&] { placementsFromJson(text, "a.json"); });
   };
   EXPECT_THAT(says("hexoderm-placements", "hexoderm-session"), saysAll("a.json", "hexoderm-placements"));

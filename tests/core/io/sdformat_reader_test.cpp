@@ -2,11 +2,7 @@
 
 #include "tests/core/io/placed_skin.h"
 
-#include <gmock/gmock.h>
 #include <sdf/sdf.hh>
-
-#include <algorithm>
-#include <string>
 
 namespace hexoderm {
 namespace {

@@ -1,17 +1,16 @@
 #include "hexoderm/io/session_joint_angles.h"
 
 #include "hexoderm/sim/simulated_session.h"
+#include "tests/support/options.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 SimulatedRobot demoRobot() {
-  SimulatedRobotOptions options;
-  options.mounts = demoMounts();
-  return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT), options};
+  return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT),
+          test::with(&SimulatedRobotOptions::mounts, demoMounts())};
 }
 
 TEST(SessionJointAngles, ASimulatedRobotsSessionHasWhatItReports) {
@@ -47,16 +46,14 @@ TEST(SessionJointAngles, GoThroughACsvFileToAnotherSession) {
 TEST(SessionJointAngles, ATableOfOtherPosesIsSaidWithWhatBothHave) {
   SimulatedRobot robot = demoRobot();
   const Session session = simulateRobotSession(robot, 3, 10).session;
-  JointAnglesTable table;
-  table.rows = {{PoseId(11), std::nullopt, {}}, {PoseId(14), std::nullopt, {}}};
+  JointAnglesTable table{{{PoseId(11), std::nullopt, {}}, {PoseId(14), std::nullopt, {}}}};
   EXPECT_EQ(whyNoPoseHasAngles(session, table).english(),
             "has angles of the poses 11 to 14, but the session has the poses 1 to 3");
   table.rows.push_back({PoseId(2), std::nullopt, {}});
   EXPECT_TRUE(whyNoPoseHasAngles(session, table).empty());
 
   // Times of another clock. Simulated poses don't say when they were taken.
-  JointAnglesTable timed;
-  timed.rows = {{std::nullopt, 12.5, {}}, {std::nullopt, 13.5, {}}};
+  const JointAnglesTable timed{{{std::nullopt, 12.5, {}}, {std::nullopt, 13.5, {}}}};
   EXPECT_EQ(whyNoPoseHasAngles(session, timed).english(),
             "has times, but the poses of the session don't say when they were taken: expected a column pose");
   PoseCapture taken = *session.poses()[0].capture;

@@ -1,25 +1,16 @@
 #include "hexoderm/io/session_json.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/core/io/json_complaints.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 
-#include <gtest/gtest.h>
-
-#include <limits>
-#include <vector>
-
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using test::TemporaryFolder;
 
 const std::filesystem::path kThreeCells = std::filesystem::path(HEXODERM_TEST_DATA) / "three_cells.session.json";
@@ -34,12 +25,9 @@ TEST(SessionJson, ReadsAFileWrittenByHand) {
   EXPECT_EQ(session.source().sha256, sha256Hex(readFile(kThreeCells)));
 
   ASSERT_EQ(session.neighbors().size(), 3U);
-  const CellReport& second = session.neighbors()[1];
-  EXPECT_EQ(second.id, CellId(2));
-  EXPECT_EQ(second.body_part, "forearm");
-  ASSERT_EQ(second.neighbors.size(), 2U);
-  EXPECT_EQ(second.neighbors[0], (NeighborReport{PortNumber(3), CellId(1), std::nullopt}));
-  EXPECT_EQ(second.neighbors[1], (NeighborReport{PortNumber(2), CellId(5), PortNumber(3)}));
+  const std::vector<NeighborReport> neighbors = {{PortNumber(3), CellId(1), std::nullopt},
+                                                 {PortNumber(2), CellId(5), PortNumber(3)}};
+  EXPECT_EQ(session.neighbors()[1], (CellReport{CellId(2), "forearm", neighbors}));
 
   ASSERT_EQ(session.poses().size(), 3U);
   const PoseCapture& first = *session.poses()[0].capture;
@@ -175,12 +163,8 @@ TEST(SessionJson, NamesTheKeyPathOfWhatIsWrong) {
 
 TEST(SessionJson, IsRefusedWhereverItIsCutOff) {
   const std::string text = readFile(kThreeCells);
-  const std::size_t end = text.find_last_of('}');
-  for (std::size_t size = 0; size <= end; ++size) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(std::string_view(text).substr(0, size), "s.json"); }),
-                saysAll("s.json: "))
-        << "cut after " << size << " bytes";
-  }
+  expectRefusedWhereverCutOff(text, text.find_last_of('}'),
+                              "s.json: ", [](const std::string& cut) { parseSessionJson(cut, "s.json"); });
 }
 
 TEST(SessionJson, NamesTheWholePathOfABadFile) {
@@ -196,12 +180,7 @@ TEST(SessionJson, IsWrittenWholeOrNotAtAll) {
   writeSessionJson(session, path);
   EXPECT_EQ(readFile(path), sessionToJson(session));
 
-  Session bad(builtInCellModel("hex-bma150"), {});
-  PoseCapture capture;
-  capture.id = PoseId(7);
-  capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
-  bad.addPose({std::make_shared<const PoseCapture>(capture), false});
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionJson(bad, path); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionJson(test::sessionWithABadReading(), path); }),
               saysAll("out.session.json: pose 7: cell 1: the mean must be finite"));
   EXPECT_EQ(readFile(path), sessionToJson(session)) << "the earlier file is intact";
   EXPECT_THROW(writeSessionJson(session, folder.path()), StorageError);

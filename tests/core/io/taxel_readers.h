@@ -1,15 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
-
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <sstream>
-#include <string>
-#include <vector>
-
 // Readers of taxel files as their users have them, written from the formats alone.
+
+#include "tests/support/testing.h"
+
+#include <sstream>
 
 namespace hexoderm::test {
 

@@ -1,21 +1,16 @@
 #include "hexoderm/io/tum_xml.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/skin_graph.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 const std::filesystem::path kTwoPatches = std::filesystem::path(HEXODERM_TEST_DATA) / "two_patches.tum.xml";
 
@@ -23,11 +18,7 @@ CellModel hex() { return builtInCellModel("hex-bma150"); }
 
 /// The reader's complaint about the file with the first occurrence of one text replaced by another.
 std::string complaint(const std::string& from, const std::string& to) {
-  std::string text = readFile(kTwoPatches);
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-  return messageOf<FormatError>([&] { parseTumXml(text, "t.xml"); });
+  return messageOf<FormatError>([&] { parseTumXml(replaced(readFile(kTwoPatches), from, to), "t.xml"); });
 }
 
 bool has(const Reconstruction& result, FindingCode code) {
@@ -37,11 +28,10 @@ bool has(const Reconstruction& result, FindingCode code) {
 /// Cells of which each is placed in the frame of `root`, joined as the reports say.
 TumSkinConfig::Cell cellAt(std::uint32_t id, std::uint32_t root, const SE3& T_root_u,
                            std::vector<NeighborReport> neighbors) {
-  TumSkinConfig::Cell cell;
-  cell.report = {CellId(id), "", std::move(neighbors)};
-  cell.root = CellId(root);
-  cell.T_root_u = T_root_u;
-  return cell;
+  return {{CellId(id), "", std::move(neighbors)}, 0, 0, CellId(root), T_root_u};
+}
+std::shared_ptr<const Reconstruction> imported(const std::vector<TumSkinConfig::Cell>& cells) {
+  return calibrationFromTum(test::with(&TumSkinConfig::cells, cells), hex(), "t.xml");
 }
 NeighborReport joined(std::uint32_t port, std::uint32_t cell) { return {PortNumber(port), CellId(cell), std::nullopt}; }
 
@@ -49,11 +39,10 @@ TEST(TumXml, ReadsCellsInAnyOrder) {
   const TumSkinConfig config = readTumXml(kTwoPatches);
   ASSERT_EQ(config.cells.size(), 3U);
   const TumSkinConfig::Cell& first = config.cells[0];
-  EXPECT_EQ(first.report.id, CellId(4));
   EXPECT_EQ(first.patch, 1U);
   EXPECT_EQ(first.segment, 1U);
   EXPECT_EQ(first.root, CellId(2));
-  EXPECT_EQ(first.report.neighbors, (std::vector{joined(3, 2), joined(4, 0)}));
+  EXPECT_EQ(first.report, (CellReport{CellId(4), "", {joined(3, 2), joined(4, 0)}}));
   EXPECT_NEAR(first.T_root_u.R(2, 2), std::cos(20 * kDegree), 1e-12);
   EXPECT_NEAR(first.T_root_u.t.x(), 0.023276311449, 1e-12);
   EXPECT_EQ(config.sha256, sha256Hex(readFile(kTwoPatches)));
@@ -104,10 +93,8 @@ TEST(TumXml, TakesTheSmallestCellWhereTheRootLiesElsewhere) {
   // Cells 3 and 5 are placed in the frame of cell 9, which has no link to them.
   const SE3 T_9_3{expSO3({0.1, 0.2, 0.3}), {0.1, 0, 0}};
   const SE3 T_3_5 = linkTransform(expSO3({0, 0.1, 0}), hex().port(PortNumber(2)), hex().port(PortNumber(3)));
-  TumSkinConfig config;
-  config.cells = {cellAt(9, 9, {}, {}), cellAt(5, 9, T_9_3 * T_3_5, {joined(3, 3)}),
-                  cellAt(3, 9, T_9_3, {joined(2, 5)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result = imported(
+      {cellAt(9, 9, {}, {}), cellAt(5, 9, T_9_3 * T_3_5, {joined(3, 3)}), cellAt(3, 9, T_9_3, {joined(2, 5)})});
   ASSERT_EQ(result->patches.size(), 2U);
   EXPECT_EQ(result->patches[0].origin, CellId(3));
   EXPECT_THAT(result->find(CellId(3)).cell->T_o_u, SE3Near(SE3(), 0, 0));
@@ -117,18 +104,14 @@ TEST(TumXml, TakesTheSmallestCellWhereTheRootLiesElsewhere) {
 TEST(TumXml, PlacesCellsRelativeToARootThatIsNotAtZero) {
   const SE3 T_r_1{expSO3({0, 0, 1}), {1, 2, 3}};
   const SE3 T_1_2 = linkTransform(expSO3({0, 0.1, 0}), hex().port(PortNumber(2)), hex().port(PortNumber(3)));
-  TumSkinConfig config;
-  config.cells = {cellAt(1, 1, T_r_1, {joined(2, 2)}), cellAt(2, 1, T_r_1 * T_1_2, {joined(3, 1)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result = imported({cellAt(1, 1, T_r_1, {joined(2, 2)}), cellAt(2, 1, T_r_1 * T_1_2, {joined(3, 1)})});
   EXPECT_EQ(result->patches.at(0).origin, CellId(1));
   EXPECT_THAT(result->find(CellId(2)).cell->T_o_u, SE3Near(T_1_2, 1e-12, 1e-12));
 }
 
 TEST(TumXml, EndsAPatchWhereTheFrameEnds) {
   // A link between cells of two root cells says nothing about how the frames lie to each other.
-  TumSkinConfig config;
-  config.cells = {cellAt(1, 1, {}, {joined(2, 2)}), cellAt(2, 2, {}, {joined(3, 1)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result = imported({cellAt(1, 1, {}, {joined(2, 2)}), cellAt(2, 2, {}, {joined(3, 1)})});
   EXPECT_EQ(result->patches.size(), 2U);
   ASSERT_TRUE(has(*result, FindingCode::BodyPartBoundary));
   ASSERT_EQ(result->linkCount(), 1U);
@@ -137,9 +120,8 @@ TEST(TumXml, EndsAPatchWhereTheFrameEnds) {
 }
 
 TEST(TumXml, TurnsContradictionsIntoFindings) {
-  TumSkinConfig config;
-  config.cells = {cellAt(1, 1, {}, {joined(2, 2), joined(1, 1), joined(4, 99)}), cellAt(2, 1, {}, {joined(7, 1)})};
-  const auto result = calibrationFromTum(config, hex(), "t.xml");
+  const auto result =
+      imported({cellAt(1, 1, {}, {joined(2, 2), joined(1, 1), joined(4, 99)}), cellAt(2, 1, {}, {joined(7, 1)})});
   EXPECT_TRUE(has(*result, FindingCode::OneSidedLink));
   EXPECT_TRUE(has(*result, FindingCode::SelfLink));
   EXPECT_TRUE(has(*result, FindingCode::UnknownCell));
@@ -218,12 +200,8 @@ TEST(TumXml, RefusesOtherDocuments) {
 
 TEST(TumXml, IsRefusedWhereverItIsCutOff) {
   const std::string text = readFile(kTwoPatches);
-  const std::size_t end = text.find_last_of('>');
-  for (std::size_t size = 0; size <= end; ++size) {
-    EXPECT_THAT(messageOf<FormatError>([&] { parseTumXml(std::string_view(text).substr(0, size), "t.xml"); }),
-                saysAll("t.xml: "))
-        << "cut after " << size << " bytes";
-  }
+  expectRefusedWhereverCutOff(text, text.find_last_of('>'),
+                              "t.xml: ", [](const std::string& cut) { parseTumXml(cut, "t.xml"); });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include "hexoderm/io/exporter.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -11,11 +11,6 @@
 #include <vtkPolyData.h>
 #include <vtkVariant.h>
 #include <vtkXMLPolyDataReader.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <vector>
 
 namespace hexoderm {
 namespace {

@@ -1,13 +1,10 @@
 #include "tests/core/robots/mesh_test.h"
 
-#include <gtest/gtest.h>
-
 namespace hexoderm {
 namespace {
 
 using test::areaOf;
 using test::refusalOf;
-using test::saysAll;
 
 /// A square of side 1 with these primitives, below these nodes of the scene and library.
 std::string dae(const std::string& primitives,

@@ -1,12 +1,7 @@
 #include "tests/core/robots/mesh_test.h"
 #include "tests/support/temporary_folder.h"
 
-#include <gtest/gtest.h>
-
-#include <map>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -14,7 +9,6 @@ namespace {
 using test::areaOf;
 using test::littleEndian;
 using test::refusalOf;
-using test::saysAll;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 

@@ -1,16 +1,10 @@
 #include "hexoderm/robots/joint_angles_csv.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 /// Joints that turn: elbow, wrist, tilt_deg; one that slides: lift; one that mimics the elbow; a fixed one.
 const RobotModel& robot() {
@@ -60,10 +54,7 @@ TEST(JointAnglesCsv, ReadsUnitsInBracketsAndEndings) {
 TEST(JointAnglesCsv, ReadsDecimalCommasWhereColumnsAreSeparatedOtherwise) {
   const JointAnglesTable table = parse("pose;elbow[rad];wrist[rad];tilt_deg[rad];lift[m]\n1;0,5;-1,25;2.5;0,1\n");
   ASSERT_EQ(table.rows.size(), 1U);
-  EXPECT_EQ(table.rows[0].angles.positions.at("elbow"), 0.5);
-  EXPECT_EQ(table.rows[0].angles.positions.at("wrist"), -1.25);
-  EXPECT_EQ(table.rows[0].angles.positions.at("tilt_deg"), 2.5);
-  EXPECT_EQ(table.rows[0].angles.positions.at("lift"), 0.1);
+  EXPECT_EQ(table.rows[0].angles, (JointAngles{{{"elbow", 0.5}, {"wrist", -1.25}, {"tilt_deg", 2.5}, {"lift", 0.1}}}));
   EXPECT_THAT(csvError("pose;elbow[rad];wrist[rad];tilt_deg[rad];lift[m]\n1;1.000,5;0;0;0\n"),
               saysAll("line 2", "expected a number", "1.000,5"));
 }

@@ -1,14 +1,10 @@
 #include "hexoderm/robots/joint_check.h"
 
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::saysAll;
 
 const RobotModel& demoArm() {
   static const RobotModel arm = RobotModel::read(HEXODERM_DEMO_ROBOT);

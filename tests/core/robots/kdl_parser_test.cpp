@@ -1,11 +1,10 @@
 // KDL's own reader of URDF and its recursive solver, as ROS uses them, beside ours.
 #include "hexoderm/robots/robot_model.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <kdl/treefksolverpos_recursive.hpp>
 #include <kdl_parser/kdl_parser.hpp>
-#include <random>
 
 namespace hexoderm {
 namespace {

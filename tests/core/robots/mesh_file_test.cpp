@@ -1,18 +1,14 @@
 #include "hexoderm/robots/mesh_file.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using test::TemporaryFolder;
 
 TEST(MeshFile, RefusesPointsThatAreNowhere) {

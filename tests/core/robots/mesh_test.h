@@ -1,12 +1,10 @@
 #pragma once
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/robots/mesh_file.h"
-#include "tests/support/error_matchers.h"
+
+#include "tests/support/testing.h"
 
 #include <bit>
-#include <cstdint>
-#include <string>
 
 namespace hexoderm::test {
 

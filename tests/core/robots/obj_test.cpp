@@ -1,13 +1,10 @@
 #include "tests/core/robots/mesh_test.h"
 
-#include <gtest/gtest.h>
-
 namespace hexoderm {
 namespace {
 
 using test::areaOf;
 using test::refusalOf;
-using test::saysAll;
 
 constexpr auto kSquare = "# a square\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n";
 

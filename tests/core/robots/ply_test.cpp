@@ -1,7 +1,5 @@
 #include "tests/core/robots/mesh_test.h"
 
-#include <gtest/gtest.h>
-
 namespace hexoderm {
 namespace {
 
@@ -9,7 +7,6 @@ using test::areaOf;
 using test::bigEndian;
 using test::littleEndian;
 using test::refusalOf;
-using test::saysAll;
 
 /// A header with properties of many types in front of what is read, and behind.
 std::string plyHeader(const std::string& format) {

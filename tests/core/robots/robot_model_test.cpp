@@ -1,21 +1,13 @@
 #include "hexoderm/robots/robot_model.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-#include <Eigen/Geometry>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using test::saysAll;
 using test::TemporaryFolder;
 
 const RobotModel& readDemoArm() {
@@ -114,9 +106,7 @@ TEST(RobotModel, AMimickingJointFollowsUnlessItIsGivenItself) {
 TEST(RobotModel, KnowsTheJointsThatMoveALink) {
   const RobotModel& arm = readDemoArm();
   const auto names = [&](const char* link) {
-    std::vector<std::string> result;
-    for (const std::size_t joint : arm.freeJointsTo(arm.linkNamed(link))) result.push_back(arm.joints()[joint].name);
-    return result;
+    return collect(arm.freeJointsTo(arm.linkNamed(link)), [&](std::size_t joint) { return arm.joints()[joint].name; });
   };
   EXPECT_TRUE(names("base").empty());
   EXPECT_EQ(names("forearm"), (std::vector<std::string>{"shoulder_pitch", "shoulder_roll", "elbow"}));

@@ -1,13 +1,10 @@
 #include "tests/core/robots/mesh_test.h"
 
-#include <gtest/gtest.h>
-
 namespace hexoderm {
 namespace {
 
 using test::littleEndian;
 using test::refusalOf;
-using test::saysAll;
 
 std::string binaryStl(std::string header, const std::vector<float>& coordinates) {
   header.resize(80);

@@ -2,12 +2,8 @@
 
 #include "hexoderm/session/sample_blobs.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gtest/gtest.h>
-
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -53,16 +49,12 @@ TEST(SampleBlobs, WholeStepsOfAPartThatIsHeldStillTakeAByteANumber) {
   expectSameFrames(decodeFrames(still, "here"), frames);
   // A step of 127 still fits, one of 128 does not: that frame is written whole, and the next one refers to it.
   for (const auto& [step, more] : {std::pair(127, 0), std::pair(128, 2 * 7 * 100)}) {
-    for (CellSample& sample : frames[20].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
-    for (CellSample& sample : frames[21].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
-    for (CellSample& sample : frames[19].samples) sample.acceleration_g = Eigen::Vector3d(0, 0, step) * kLsb_g;
-    for (CellSample& sample : frames[18].samples) sample.acceleration_g = Eigen::Vector3d::Zero();
-    for (std::size_t far : {17UL, 22UL}) {
-      for (CellSample& sample : frames[far].samples) sample.acceleration_g = Eigen::Vector3d(1, 0, -1) * kLsb_g;
-    }
-    for (std::size_t far : {16UL, 23UL}) frames[far].samples = frames[17].samples;
-    for (std::size_t k = 0; k < 16; ++k) frames[k].samples = frames[17].samples;
-    for (std::size_t k = 24; k < 50; ++k) frames[k].samples = frames[17].samples;
+    const auto set = [&](std::size_t frame, const Eigen::Vector3d& lsb) {
+      for (CellSample& sample : frames[frame].samples) sample.acceleration_g = lsb * kLsb_g;
+    };
+    for (std::size_t frame = 0; frame < frames.size(); ++frame) set(frame, {1, 0, -1});
+    for (const std::size_t frame : {18U, 20U, 21U}) set(frame, Eigen::Vector3d::Zero());
+    set(19, Eigen::Vector3d(0, 0, step));
     const Bytes bytes = encodeFrames(frames, kLsb_g);
     EXPECT_EQ(bytes.size(), still.size() + static_cast<std::size_t>(more)) << step;
     expectSameFrames(decodeFrames(bytes, "here"), frames);

@@ -1,10 +1,6 @@
 #include "hexoderm/session/session_edit.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/session/session_edits.h"
-#include "tests/support/session_matchers.h"
-
-#include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {

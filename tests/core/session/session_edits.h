@@ -1,13 +1,9 @@
 #pragma once
 
 #include "hexoderm/session/session_edit.h"
+#include "tests/support/options.h"
 #include "tests/support/session_matchers.h"
-
-#include <cmath>
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 
@@ -30,22 +26,15 @@ inline Session threePoses() {
   return session;
 }
 
-inline PatchPlacement emptyPlacement(CellId origin) {
-  PatchPlacement placement;
-  placement.origin = origin;
-  return placement;
-}
+inline PatchPlacement emptyPlacement(CellId origin) { return with(&PatchPlacement::origin, origin); }
 
 inline PatchPlacement onLink(CellId origin, const char* link) {
-  PatchPlacement placement = emptyPlacement(origin);
-  placement.link = link;
-  return placement;
+  return with(emptyPlacement(origin), &PatchPlacement::link, link);
 }
 
 /// Edits of every kind that threePoses() takes.
 inline std::vector<SessionEdit> edits() {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.name = "another";
+  const CellModel model = with(builtInCellModel("hex-bma150"), &CellModel::name, "another");
   return {AddPose{namedPose(9)},
           AddPose{namedPose(9), 1},
           RemovePose{0},

@@ -1,24 +1,15 @@
 #include "hexoderm/session/session_recorder.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/failing_disk.h"
-#include "tests/support/temporary_folder.h"
-
-#include <gmock/gmock.h>
+#include "tests/core/session/store_test.h"
 
 #include <condition_variable>
-#include <filesystem>
 #include <future>
 #include <iostream>
 #include <mutex>
 #include <thread>
 
-namespace hexoderm {
+namespace hexoderm::store_test {
 namespace {
-
-using test::TemporaryFolder;
-using testing::ElementsAre;
-using testing::HasSubstr;
 
 /// Collects outcomes from the store's thread and lets the test wait for them.
 class Outcomes {
@@ -47,30 +38,16 @@ class Outcomes {
 };
 
 std::vector<StoreOperation> capture(std::uint32_t id) {
-  PoseCapture capture;
-  capture.id = PoseId(id);
-  GravitySample sample;
-  sample.cell = CellId(1);
-  sample.mean_g.z() = 1;
-  capture.samples = {sample};
-  std::vector<StoreOperation> operations;
-  operations.emplace_back(AddPose{{std::make_shared<const PoseCapture>(std::move(capture))}});
-  return operations;
+  const PoseCapture capture{PoseId(id), {}, {{CellId(1), {0, 0, 1}}}};
+  return {AddPose{{std::make_shared<const PoseCapture>(capture)}}};
 }
 
-class SessionRecorderTest : public testing::Test {
+class SessionRecorderTest : public StoreTest {
  protected:
-  SessionRecorderTest() { writeSessionStore(Session(builtInCellModel("hex-bma150"), NeighborList()), path_); }
+  SessionRecorderTest() { writeSessionStore(emptySession(), path_); }
 
-  [[nodiscard]] std::vector<std::uint32_t> stored() const {
-    std::vector<std::uint32_t> ids;
-    const Session session = readSessionStore(path_);
-    for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());
-    return ids;
-  }
+  [[nodiscard]] std::vector<std::uint32_t> stored() const { return poseIds(readSessionStore(path_)); }
 
-  TemporaryFolder folder_;
-  std::filesystem::path path_ = folder_.path() / "arm.hexo";
   Outcomes outcomes_;
 };
 
@@ -212,20 +189,20 @@ TEST_F(SessionRecorderTest, AFileThatWasRemovedIsWrittenAnewWithAllThatItHeld) {
   SessionRecorder recorder(SessionStore::open(path_));
   recorder.append(captureWithRaw(1), outcomes_.acknowledge(1));
   EXPECT_TRUE(outcomes_.waitFor(1)[0].outcome.renewed.empty());
-  std::filesystem::remove(path_);
+  fs::remove(path_);
   recorder.append({RemovePose{0}}, {});  // nobody is told of it
   recorder.append(capture(2), outcomes_.acknowledge(2));
   EXPECT_THAT(outcomes_.waitFor(2)[1].outcome.renewed.english(), HasSubstr("arm.hexo: was removed"));
   EXPECT_THAT(stored(), ElementsAre(2U));
 
-  std::filesystem::remove(path_);
+  fs::remove(path_);
   recorder.flush(outcomes_.acknowledge(3));
   EXPECT_THAT(outcomes_.waitFor(3)[2].outcome.renewed.english(), HasSubstr("arm.hexo: was removed"));
   recorder.append(captureWithRaw(3), outcomes_.acknowledge(4));
   EXPECT_TRUE(outcomes_.waitFor(4)[3].outcome.renewed.empty()) << "it is told once";
   EXPECT_THAT(stored(), ElementsAre(2U, 3U));
 
-  std::filesystem::remove(path_);
+  fs::remove(path_);
   recorder.flush(outcomes_.acknowledge(5));
   outcomes_.waitFor(5);
   EXPECT_EQ(SessionStore::openReadOnly(path_).readRawSamples(1).size(), 100U);
@@ -233,25 +210,25 @@ TEST_F(SessionRecorderTest, AFileThatWasRemovedIsWrittenAnewWithAllThatItHeld) {
 
 TEST_F(SessionRecorderTest, WhatHasNoFileAnyMoreWaitsForAPlace) {
   SessionRecorder recorder(SessionStore::open(path_));
-  std::filesystem::remove(path_);
-  std::filesystem::create_directory(path_);
+  fs::remove(path_);
+  fs::create_directory(path_);
   recorder.append(capture(1), outcomes_.acknowledge(1));
   const StoreOutcome refused = outcomes_.waitFor(1)[0].outcome;
   EXPECT_TRUE(refused.is_kept);
   EXPECT_THAT(refused.error.english(), HasSubstr("arm.hexo: was removed while it was open"));
-  std::filesystem::remove(path_);
+  fs::remove(path_);
   recorder.retry();
   EXPECT_EQ(outcomes_.waitFor(2)[1].outcome.error.english(), "");
   EXPECT_THAT(stored(), ElementsAre(1U));
 }
 
 /// 0 if a disk that fills in the middle of raw samples costs only those.
-int fillTheDiskWithRawSamples(const std::filesystem::path& folder) {
-  const std::filesystem::path file = folder / "arm.hexo";
+int fillTheDiskWithRawSamples(const fs::path& folder) {
+  const fs::path file = folder / "arm.hexo";
   constexpr std::uint32_t kPoses = 8;
   Outcomes outcomes;
   {
-    SessionRecorder recorder(SessionStore::create(file, Session(builtInCellModel("hex-bma150"), NeighborList())));
+    SessionRecorder recorder(SessionStore::create(file, emptySession()));
     for (std::uint32_t id = 1; id <= kPoses; ++id) {
       recorder.append(captureWithRaw(id), outcomes.acknowledge(static_cast<int>(id)));
     }
@@ -341,4 +318,4 @@ TEST_F(SessionRecorderTest, TakesWorkFromSeveralThreads) {
 }
 
 }  // namespace
-}  // namespace hexoderm
+}  // namespace hexoderm::store_test

@@ -3,30 +3,17 @@
 
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/error.h"
-#include "hexoderm/base/file.h"
 #include "hexoderm/session/journal.h"
 #include "hexoderm/session/sqlite_database.h"
 #include "hexoderm/session/store_file.h"
-#include "tests/support/error_matchers.h"
-#include "tests/support/session_matchers.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/core/session/store_test.h"
 
-#include <gmock/gmock.h>
-
-#include <array>
 #include <cstring>
 
-namespace hexoderm {
+namespace hexoderm::store_test {
 namespace {
 
-namespace fs = std::filesystem;
-using test::messageOf;
-using test::saysAll;
-using test::sessionWithEverything;
-using test::TemporaryFolder;
-
-class DamagedStore : public testing::Test {
+class DamagedStore : public StoreTest {
  protected:
   DamagedStore() { writeSessionStore(sessionWithEverything(), path_); }
 
@@ -38,7 +25,7 @@ class DamagedStore : public testing::Test {
     const std::string reader = messageOf<FormatError>([&] { readSessionStore(path_); });
     const std::string writer = messageOf<FormatError>([&] { SessionStore::open(path_); });
     EXPECT_EQ(reader, writer);
-    EXPECT_THAT(reader, testing::StartsWith(path_.string() + ": "));
+    EXPECT_THAT(reader, StartsWith(path_.string() + ": "));
     return reader;
   }
   /// The complaint about a copy with an entry appended whose digest is right.
@@ -62,9 +49,6 @@ class DamagedStore : public testing::Test {
     writeSessionStore(sessionWithEverything(), path_);
     return text;
   }
-
-  TemporaryFolder folder_;
-  fs::path path_ = folder_.path() / "arm.hexo";
 };
 
 TEST_F(DamagedStore, NewerVersionsAreRefusedNamingBoth) {
@@ -97,9 +81,9 @@ TEST_F(DamagedStore, FilesOfOlderVersionsAreReadAndBroughtToTheNewestByAWriter) 
     fs::remove(path_);
     writeSessionStore(session, path_);
     execute("PRAGMA user_version=" + std::to_string(older));  // the tables are the same
-    test::expectSameSession(readSessionStore(path_), session);
+    expectSameSession(readSessionStore(path_), session);
     EXPECT_EQ(version(), older) << "a reader changes nothing";
-    test::expectSameSession(SessionStore::open(path_).readSession(), session);
+    expectSameSession(SessionStore::open(path_).readSession(), session);
     EXPECT_EQ(version(), 4) << "so that a program that does not know what is new refuses it";
   }
 }
@@ -121,7 +105,7 @@ TEST_F(DamagedStore, TruncatedFilesAreRefused) {
   const std::string whole = readFile(path_);
   for (std::size_t size = 1; size < whole.size(); size += size < 200 ? 1 : 499) {
     std::ofstream(path_, std::ios::binary) << whole.substr(0, size);
-    EXPECT_THAT(messageOf<FormatError>([&] { readSessionStore(path_); }), testing::StartsWith(path_.string()))
+    EXPECT_THAT(messageOf<FormatError>([&] { readSessionStore(path_); }), StartsWith(path_.string()))
         << "cut after " << size << " bytes";
   }
 }
@@ -139,10 +123,10 @@ TEST_F(DamagedStore, AnyChangedByteGivesAnErrorOrTheSameSession) {
       try {
         const Session session = readSessionStore(path_);
         EXPECT_EQ(session.source().sha256, digest) << "byte " << at;
-        test::expectSameSession(session, sessionWithEverything());
+        expectSameSession(session, sessionWithEverything());
         ++read;
       } catch (const Error& error) {
-        EXPECT_THAT(error.what(), testing::StartsWith(path_.string())) << "byte " << at;
+        EXPECT_THAT(error.what(), StartsWith(path_.string())) << "byte " << at;
         ++refused;
       }
     }
@@ -268,11 +252,10 @@ TEST_F(DamagedStore, SamplesThatMakeNoSenseAreNamed) {
 TEST_F(DamagedStore, RawSamplesAreCheckedWhenTheyAreRead) {
   fs::remove(path_);
   {
-    SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+    SessionStore store = SessionStore::create(path_, emptySession());
     AddPose add{{std::make_shared<const PoseCapture>(PoseCapture{PoseId(1), {}, {}})}};
     add.raw = std::make_shared<std::vector<SampleFrame>>(1, SampleFrame{0.5, {{CellId(1), {0.1, 0.2, 0.3}}}});
-    const StoreOperation operation = add;
-    store.append({&operation, 1});
+    appendTo(store, add);
   }
   std::string changed = readFile(path_);
   const double number = 0.2;
@@ -291,16 +274,14 @@ constexpr std::array kTwoVersions = {"CREATE TABLE a (x TEXT) STRICT",
                                      "ALTER TABLE a ADD COLUMN y TEXT; UPDATE a SET y = x || '!'"};
 constexpr std::array kBadStep = {kTwoVersions[0], "ALTER TABLE a ADD COLUMN y TEXT; INSERT INTO nowhere VALUES (1)"};
 
-class Migrating : public testing::Test {
+class Migrating : public StoreTest {
  protected:
   Migrating() {
-    folder_.put("old.hexo", "");
+    folder_.put("arm.hexo", "");
     Database database(path_.string(), "old", Database::Mode::Create);
     migrate(database, Migrations(kTwoVersions).first(1));
     database.run("INSERT INTO a VALUES ('kept')");
   }
-  TemporaryFolder folder_;
-  fs::path path_ = folder_.path() / "old.hexo";
 };
 
 TEST_F(Migrating, AWriterBringsAnOlderFileToTheNewestVersion) {
@@ -324,7 +305,7 @@ TEST_F(Migrating, AReaderReadsAnOlderFileAndLeavesItAsItIs) {
 }
 
 TEST_F(Migrating, AStepThatFailsLeavesTheVersionBeforeIt) {
-  EXPECT_THAT(messageOf<FormatError>([&] { openStoreForWriting(path_, kBadStep); }), saysAll("old.hexo", "nowhere"));
+  EXPECT_THAT(messageOf<FormatError>([&] { openStoreForWriting(path_, kBadStep); }), saysAll("arm.hexo", "nowhere"));
   StoreFile file = openStoreForReading(path_, Migrations(kTwoVersions).first(1));
   EXPECT_EQ(file.database.number("PRAGMA user_version"), 1);
   EXPECT_EQ(file.database.text("SELECT x FROM a"), "kept");
@@ -336,4 +317,4 @@ TEST_F(Migrating, ADatabaseWithoutAVersionIsRefused) {
 }
 
 }  // namespace
-}  // namespace hexoderm
+}  // namespace hexoderm::store_test

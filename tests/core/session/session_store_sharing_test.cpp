@@ -2,32 +2,19 @@
 
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/error.h"
-#include "hexoderm/base/file.h"
-#include "tests/support/error_matchers.h"
-#include "tests/support/failing_disk.h"
-#include "tests/support/session_matchers.h"
-#include "tests/support/temporary_folder.h"
-
-#include <gmock/gmock.h>
+#include "tests/core/session/store_test.h"
+#include "tests/support/pipe.h"
 
 #include <sys/stat.h>
 
 #include <future>
 #include <iostream>
-#include <map>
 
-namespace hexoderm {
+namespace hexoderm::store_test {
 namespace {
 
-namespace fs = std::filesystem;
-using test::expectSameSession;
-using test::messageOf;
-using test::saysAll;
-using test::sessionWithEverything;
-using test::TemporaryFolder;
-
-std::uint64_t appendTo(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
+/// What another process returns: 0 if a text has these words.
+int lacks(const std::string& text, const std::string& words) { return text.find(words) == std::string::npos ? 1 : 0; }
 
 std::map<std::string, std::string> contentOf(const fs::path& folder) {
   std::map<std::string, std::string> content;
@@ -46,14 +33,12 @@ void leaveBehindAKilledWriter(const fs::path& from, const fs::path& to, std::siz
   }
 }
 
-class SharedStore : public testing::Test {
+class SharedStore : public StoreTest {
  protected:
   SharedStore() {
     fs::permissions(folder_.path(), fs::perms::all);
     writeSessionStore(sessionWithEverything(), path_);
   }
-  TemporaryFolder folder_;
-  fs::path path_ = folder_.path() / "arm.hexo";
 };
 
 TEST_F(SharedStore, IsInUseAsLongAsSomebodyWritesIt) {
@@ -72,11 +57,9 @@ TEST_F(SharedStore, IsInUseAsLongAsSomebodyWritesIt) {
 TEST_F(SharedStore, HasOneWriterInThisProcess) {
   {
     const SessionStore store = SessionStore::open(path_);
-    EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::open(path_); }),
-                saysAll("arm.hexo", "already open", "this Hexoderm"));
+    EXPECT_THAT(whyNotOpened(path_), saysAll("arm.hexo", "already open", "this Hexoderm"));
     fs::create_symlink(path_, folder_.path() / "link.hexo");
-    EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::open(folder_.path() / "link.hexo"); }),
-                saysAll("link.hexo", "already open"));
+    EXPECT_THAT(whyNotOpened(folder_.path() / "link.hexo"), saysAll("link.hexo", "already open"));
   }
   EXPECT_NO_THROW(SessionStore::open(folder_.path() / "link.hexo"));
 }
@@ -88,11 +71,7 @@ TEST_F(SharedStore, HasOneWriterAmongAllProcesses) {
     EXPECT_THROW(SessionStore::open(path_), StorageError);
     EXPECT_TRUE(isSessionStore(path_));
     EXPECT_EQ(readSessionStore(path_).poses().size(), 3U);
-    EXPECT_EQ(test::inAnotherProcess([&] {
-                const std::string message = messageOf<StorageError>([&] { SessionStore::open(path_); });
-                return message.find("arm.hexo: ") != std::string::npos ? 0 : 1;
-              }),
-              0);
+    EXPECT_EQ(test::inAnotherProcess([&] { return lacks(whyNotOpened(path_), "arm.hexo: "); }), 0);
     appendTo(store, RemovePose{0});
   }
   EXPECT_EQ(test::inAnotherProcess([&] {
@@ -108,21 +87,20 @@ TEST_F(SharedStore, HasOneWriterAmongAllProcesses) {
 class OtherWriter {
  public:
   explicit OtherWriter(const fs::path& path) {
-    if (::pipe(pipe_) != 0) throw std::runtime_error("no pipe");
     child_ = ::fork();
     if (child_ == 0) {
       try {
         SessionStore store = SessionStore::open(path);
         appendTo(store, RemovePose{0});
-        static_cast<void>(!::write(pipe_[1], "x", 1));
+        static_cast<void>(!::write(pipe_.ends[1], "x", 1));
         while (true) ::pause();
       } catch (...) {
         ::_exit(1);
       }
     }
-    ::close(pipe_[1]);
+    pipe_.closeEnd(1);
     char ready = 0;
-    has_begun_ = ::read(pipe_[0], &ready, 1) == 1;
+    has_begun_ = ::read(pipe_.ends[0], &ready, 1) == 1;
   }
   ~OtherWriter() { kill(); }
   OtherWriter(const OtherWriter&) = delete;
@@ -133,12 +111,11 @@ class OtherWriter {
     if (child_ <= 0) return;
     ::kill(child_, SIGKILL);
     ::waitpid(child_, nullptr, 0);
-    ::close(pipe_[0]);
     child_ = 0;
   }
 
  private:
-  int pipe_[2] = {-1, -1};
+  test::Pipe pipe_;
   pid_t child_ = 0;
   bool has_begun_ = false;
 };
@@ -152,8 +129,7 @@ TEST_F(SharedStore, NothingIsWrittenInItsPlaceWhileItIsOpenAndItsLocksStay) {
   }
   EXPECT_EQ(test::inAnotherProcess([&] {
               const std::string message = messageOf<StorageError>([&] { writeFileAtomically(path_, "new"); });
-              if (message.find("as a Hexoderm session") == std::string::npos) return 1;
-              return messageOf<StorageError>([&] { SessionStore::open(path_); }).empty() ? 2 : 0;
+              return lacks(message, "as a Hexoderm session") + lacks(whyNotOpened(path_), "arm.hexo: ");
             }),
             0);
   appendTo(store, RemovePose{0});
@@ -163,8 +139,7 @@ TEST_F(SharedStore, NothingIsWrittenInItsPlaceWhileItIsOpenAndItsLocksStay) {
 TEST_F(SharedStore, IsReadWhileAnotherProcessWritesAndIsFreeWhenThatIsKilled) {
   OtherWriter other(path_);
   ASSERT_TRUE(other.hasBegun());
-  EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::open(path_); }),
-              saysAll("arm.hexo", "another Hexoderm has it open for writing"));
+  EXPECT_THAT(whyNotOpened(path_), saysAll("arm.hexo", "another Hexoderm has it open for writing"));
   EXPECT_EQ(readSessionStore(path_).poses().size(), 2U) << "readers see what was captured so far";
   other.kill();
   EXPECT_EQ(readSessionStore(path_).poses().size(), 2U);
@@ -228,10 +203,8 @@ TEST_F(SharedStore, IsReadInAReadOnlyFolder) {
     for (const auto& entry : fs::directory_iterator(other.path())) ::chmod(entry.path().c_str(), 0444);
     ::chmod(other.path().c_str(), 0555);
     EXPECT_EQ(test::asOrdinaryUser([&] { return readSessionStore(file).poses().size() == poses ? 0 : 1; }), 0);
-    EXPECT_EQ(test::asOrdinaryUser([&] {
-                const std::string message = messageOf<StorageError>([&] { SessionStore::open(file); });
-                return message.find("arm.hexo: cannot be written: Permission denied") != std::string::npos ? 0 : 1;
-              }),
+    EXPECT_EQ(test::asOrdinaryUser(
+                  [&] { return lacks(whyNotOpened(file), "arm.hexo: cannot be written: Permission denied"); }),
               0);
     ::chmod(other.path().c_str(), 0755);
     EXPECT_EQ(contentOf(other.path()), before);
@@ -265,16 +238,11 @@ TEST_F(SharedStore, AWritableFileInAReadOnlyFolderIsNotOpenedForWriting) {
   ::chmod(path_.c_str(), 0666);
   ::chmod(folder_.path().c_str(), 0555);
   EXPECT_EQ(test::asOrdinaryUser([&] {
-              const std::string message = messageOf<StorageError>([&] { SessionStore::open(path_); });
-              if (message.find("arm.hexo: ") == std::string::npos) return 1;
-              return readSessionStore(path_).poses().size() == 3 ? 0 : 2;
-            }),
-            0);
-  EXPECT_EQ(test::asOrdinaryUser([&] {
+              if (lacks(whyNotOpened(path_), "arm.hexo: ") != 0) return 1;
+              if (readSessionStore(path_).poses().size() != 3) return 2;
               const fs::path other = folder_.path() / "new.hexo";
-              const std::string message =
-                  messageOf<StorageError>([&] { writeSessionStore(sessionWithEverything(), other); });
-              return message.find("new.hexo: cannot be written: Permission denied") != std::string::npos ? 0 : 1;
+              return lacks(messageOf<StorageError>([&] { writeSessionStore(sessionWithEverything(), other); }),
+                           "new.hexo: cannot be written: Permission denied");
             }),
             0);
   ::chmod(folder_.path().c_str(), 0755);
@@ -346,8 +314,7 @@ TEST_F(SharedStore, AFullDiskIsSaidAndNothingIsLost) {
 }
 
 TEST_F(SharedStore, SaysWhatIsNotThereOrNoFile) {
-  EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::open(folder_.path() / "none.hexo"); }),
-              saysAll("none.hexo", "No such file"));
+  EXPECT_THAT(whyNotOpened(folder_.path() / "none.hexo"), saysAll("none.hexo", "No such file"));
   EXPECT_THAT(messageOf<StorageError>([&] { readSessionStore(folder_.path() / "none.hexo"); }),
               saysAll("none.hexo", "No such file"));
   EXPECT_THAT(messageOf<StorageError>([&] { readSessionStore(folder_.path()); }), saysAll("is a folder"));
@@ -362,4 +329,4 @@ TEST_F(SharedStore, NamesWithCharactersOfAddressesAreNames) {
 }
 
 }  // namespace
-}  // namespace hexoderm
+}  // namespace hexoderm::store_test

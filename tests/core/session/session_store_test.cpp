@@ -1,33 +1,14 @@
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/error.h"
-#include "hexoderm/base/file.h"
 #include "tests/core/session/session_edits.h"
-#include "tests/support/error_matchers.h"
-#include "tests/support/failing_disk.h"
-#include "tests/support/session_matchers.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/core/session/store_test.h"
 
-#include <gmock/gmock.h>
-
-#include <filesystem>
 #include <iostream>
-#include <limits>
-#include <set>
-#include <string>
 
-namespace hexoderm {
+namespace hexoderm::store_test {
 namespace {
 
-using test::expectSamePose;
-using test::expectSameSession;
-using test::messageOf;
-using test::saysAll;
-using test::sessionWithEverything;
-using test::TemporaryFolder;
-using testing::ElementsAre;
-
-std::uint64_t appendOne(SessionStore& store, StoreOperation operation) { return store.append({&operation, 1}); }
+using SessionStoreTest = StoreTest;
 
 AddPose capture(std::uint32_t id, double value) {
   PoseCapture capture{PoseId(id), message("pose {}", id), {}, 1'700'000'000'000};
@@ -35,56 +16,32 @@ AddPose capture(std::uint32_t id, double value) {
   return {{std::make_shared<const PoseCapture>(std::move(capture))}};
 }
 
-std::vector<std::uint32_t> poseIds(const Session& session) {
-  std::vector<std::uint32_t> ids;
-  for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());
-  return ids;
-}
-
-std::vector<std::string> kinds(const SessionStore& store) {
-  std::vector<std::string> kinds;
-  for (const JournalLine& line : store.history()) kinds.push_back(line.kind);
-  return kinds;
-}
-
-class SessionStoreTest : public testing::Test {
- protected:
-  TemporaryFolder folder_;
-  std::filesystem::path path_ = folder_.path() / "arm.hexo";
-};
+std::vector<std::string> kinds(const SessionStore& store) { return collect(store.history(), &JournalLine::kind); }
 
 TEST_F(SessionStoreTest, KeepsAWholeSessionBitForBit) {
   const Session session = sessionWithEverything();
   writeSessionStore(session, path_);
   const Session back = readSessionStore(path_);
   expectSameSession(session, back);
+  const fs::path empty = folder_.path() / "empty.hexo";
+  writeSessionStore(emptySession(), empty);
+  expectSameSession(readSessionStore(empty), emptySession());
   EXPECT_EQ(back.source().file, "arm.hexo");
   EXPECT_EQ(back.source().sha256.size(), 64U);
-  EXPECT_EQ(folder_.entryCount(), 1U) << "nothing lies beside it";
-}
-
-TEST_F(SessionStoreTest, KeepsAnEmptySkin) {
-  const Session session(builtInCellModel("hex-bma150"), {});
-  writeSessionStore(session, path_);
-  expectSameSession(session, readSessionStore(path_));
+  EXPECT_EQ(folder_.entryCount(), 2U) << "nothing lies beside them";
 }
 
 TEST_F(SessionStoreTest, NeverReplacesAFile) {
   writeSessionStore(sessionWithEverything(), path_);
   const std::string before = readFile(path_);
-  EXPECT_THAT(
-      messageOf<StorageError>([&] { SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {})); }),
-      saysAll("arm.hexo", "exists already", "another name"));
+  EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::create(path_, emptySession()); }),
+              saysAll("arm.hexo", "exists already", "another name"));
   EXPECT_EQ(readFile(path_), before);
   EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
 TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
-  Session bad(builtInCellModel("hex-bma150"), {});
-  PoseCapture capture;
-  capture.id = PoseId(7);
-  capture.samples = {{CellId(1), {0, std::numeric_limits<double>::quiet_NaN(), 1}, Eigen::Matrix3d::Zero(), 1}};
-  bad.addPose({std::make_shared<const PoseCapture>(capture)});
+  const Session bad = test::sessionWithABadReading();
   EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }),
               saysAll("arm.hexo: pose 7: cell 1: the mean must be finite"));
   EXPECT_EQ(folder_.entryCount(), 0U);
@@ -96,8 +53,8 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   const SessionPose second = store.readSession().poses()[1];
   const SessionPose third = store.readSession().poses()[2];
-  appendOne(store, RemovePose{1});
-  appendOne(store, RemovePose{1});
+  appendTo(store, RemovePose{1});
+  appendTo(store, RemovePose{1});
   EXPECT_THAT(poseIds(store.readSession()), ElementsAre(1U));
   EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4)) << "numbers of removed poses are not used again";
 
@@ -106,10 +63,10 @@ TEST_F(SessionStoreTest, RemovedPosesStayInTheFileAndComeBackAsTheyWere) {
   EXPECT_EQ(store.readSession().nextPoseId(), PoseId(4));
 
   store = SessionStore::open(path_);
-  appendOne(store, RestorePose{second, 0});
+  appendTo(store, RestorePose{second, 0});
   EXPECT_THAT(poseIds(store.readSession()), ElementsAre(2U, 1U));
   expectSamePose(store.readSession().poses()[0], second);
-  appendOne(store, RestorePose{third, 2});
+  appendTo(store, RestorePose{third, 2});
   EXPECT_THAT(poseIds(readSessionStore(path_)), ElementsAre(2U, 1U, 3U));
   EXPECT_THAT(kinds(store), ElementsAre("skin", "source", "truth", "capture", "capture", "capture", "mute", "mute",
                                         "robot", "placement", "placement", "remove", "remove", "restore", "restore"));
@@ -120,32 +77,31 @@ TEST_F(SessionStoreTest, APoseThatWasRemovedBeforeTheFileWasMadeComesBackAllTheS
   session.setPoseDisabled(1, true, "someone leaned on the arm");
   const SessionPose removed = session.removePose(1);
   SessionStore store = SessionStore::create(path_, session);
-  appendOne(store, RestorePose{removed, 1});
+  appendTo(store, RestorePose{removed, 1});
   session.addPose(removed, 1);
   expectSameSession(readSessionStore(path_), session);
   EXPECT_EQ(kinds(store).back(), "capture");
 
   // From now on the file knows it.
-  appendOne(store, RemovePose{1});
-  appendOne(store, RestorePose{removed, 1});
+  appendTo(store, RemovePose{1});
+  appendTo(store, RestorePose{removed, 1});
   expectSameSession(readSessionStore(path_), session);
   EXPECT_EQ(kinds(store).back(), "restore");
 }
 
 TEST_F(SessionStoreTest, UndoOfARecaptureThatKeepsTheNumberBringsTheOldReadingsBack) {
-  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
+  SessionStore store = SessionStore::create(path_, emptySession());
   const AddPose before = capture(2, 0.25);
-  AddPose again = capture(2, 0.5);
-  again.index = 0;
-  appendOne(store, before);
-  appendOne(store, RemovePose{0});
-  appendOne(store, again);
+  const AddPose again = test::with(capture(2, 0.5), &AddPose::index, 0);
+  appendTo(store, before);
+  appendTo(store, RemovePose{0});
+  appendTo(store, again);
   for (int k = 0; k < 2; ++k) {
-    appendOne(store, RemovePose{0});
-    appendOne(store, RestorePose{before.pose, 0});
+    appendTo(store, RemovePose{0});
+    appendTo(store, RestorePose{before.pose, 0});
     expectSamePose(readSessionStore(path_).poses()[0], before.pose);
-    appendOne(store, RemovePose{0});
-    appendOne(store, RestorePose{again.pose, 0});
+    appendTo(store, RemovePose{0});
+    appendTo(store, RestorePose{again.pose, 0});
     expectSamePose(readSessionStore(path_).poses()[0], again.pose);
   }
   EXPECT_EQ(std::ranges::count(kinds(store), "capture"), 2) << "the file has every reading once";
@@ -158,7 +114,7 @@ TEST_F(SessionStoreTest, KeepsEveryEdit) {
     Session session = test::threePoses();
     {
       SessionStore store = SessionStore::create(path_, session);
-      appendOne(store, edit);
+      appendTo(store, edit);
       apply(edit, session);
       expectSameSession(store.readSession(), session);
       written.insert(kinds(store).back());
@@ -173,20 +129,16 @@ TEST_F(SessionStoreTest, KeepsEveryEdit) {
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   EXPECT_EQ(store.options(), "{}");
-  CellModel model = builtInCellModel("hex-bma150");
-  model.name = "other";
-  GroundTruth truth;
-  truth.frame = "elbow";
+  const CellModel model = test::with(builtInCellModel("hex-bma150"), &CellModel::name, "other");
   const std::vector<StoreOperation> operations = {
       SetSkin{std::make_shared<const CellModel>(model), {{CellId(9), "hand", {}}}},
-      SetSource{{Message::verbatim("a new source"), "", ""}}, SetTruth{truth},
+      SetSource{{Message::verbatim("a new source"), "", ""}}, SetTruth{{"elbow", {}}},
       SetOptions{R"({"solver": "tree", "class_threshold": 1.0})"}};
   store.append(operations);
   const SessionStore reader = SessionStore::openReadOnly(path_);
   const Session session = reader.readSession();
   EXPECT_EQ(session.model().name, "other");
-  ASSERT_EQ(session.neighbors().size(), 1U);
-  EXPECT_EQ(session.neighbors()[0].body_part, "hand");
+  EXPECT_EQ(session.neighbors(), (NeighborList{{CellId(9), "hand", {}}}));
   EXPECT_EQ(session.source().text.english(), "a new source");
   EXPECT_EQ(session.truth()->frame, "elbow");
   EXPECT_EQ(session.poses().size(), 3U);
@@ -197,7 +149,7 @@ TEST_F(SessionStoreTest, SaysWhenItWasEdited) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
   const std::int64_t made = store.editedAtMs();
   EXPECT_GT(made, 1'700'000'000'000);
-  appendOne(store, RemovePose{0});
+  appendTo(store, RemovePose{0});
   EXPECT_GE(store.editedAtMs(), made);
   EXPECT_EQ(SessionStore::openReadOnly(path_).editedAtMs(), store.editedAtMs());
 }
@@ -241,13 +193,13 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
       {SetTruth{{"body", {{CellId(1), {}}, {CellId(1), {}}}}}, "each cell once"},
   };
   for (const auto& [operation, words] : bad) {
-    EXPECT_THAT(messageOf<InvalidArgument>([&, &what = operation] { appendOne(store, what); }), saysAll(words));
+    EXPECT_THAT(messageOf<InvalidArgument>([&, &what = operation] { appendTo(store, what); }), saysAll(words));
   }
   for (const SessionEdit& edit : test::editsThatMakeNoSense()) {
-    EXPECT_THROW(appendOne(store, edit), InvalidArgument) << edit.index();
+    EXPECT_THROW(appendTo(store, edit), InvalidArgument) << edit.index();
   }
   EXPECT_EQ(store.revision(), revision);
-  EXPECT_EQ(appendOne(store, capture(9, 1)), revision + 1);
+  EXPECT_EQ(appendTo(store, capture(9, 1)), revision + 1);
   EXPECT_EQ(readSessionStore(path_).poses().size(), 4U);
 }
 
@@ -255,51 +207,51 @@ TEST_F(SessionStoreTest, OneThatWasRemovedWhileItWasOpenIsWrittenAnew) {
   {
     SessionStore store = SessionStore::create(path_, sessionWithEverything());
     EXPECT_TRUE(store.renewIfGone().empty());
-    appendOne(store, capture(11, 0.5));
-    ASSERT_TRUE(std::filesystem::remove(path_));
+    appendTo(store, capture(11, 0.5));
+    ASSERT_TRUE(fs::remove(path_));
     EXPECT_EQ(store.renewIfGone().english(),
               path_.string() + ": was removed while it was open; the whole session was written anew");
     EXPECT_TRUE(store.renewIfGone().empty());
     expectSameSession(readSessionStore(path_), store.readSession());
     EXPECT_EQ(poseIds(readSessionStore(path_)).back(), 11U);
-    appendOne(store, capture(12, 0.5));
+    appendTo(store, capture(12, 0.5));
   }
   EXPECT_EQ(poseIds(SessionStore::open(path_).readSession()).back(), 12U);
   EXPECT_EQ(folder_.entryCount(), 1U) << "nothing of the first file lies beside it";
 }
 
 TEST_F(SessionStoreTest, OneThatWasMovedWhileItWasOpenIsWrittenAnewAndStaysWhereItIs) {
-  const std::filesystem::path elsewhere = folder_.path() / "elsewhere.hexo";
+  const fs::path elsewhere = folder_.path() / "elsewhere.hexo";
   {
     SessionStore store = SessionStore::create(path_, sessionWithEverything());
-    appendOne(store, capture(11, 0.5));
-    std::filesystem::rename(path_, elsewhere);
+    appendTo(store, capture(11, 0.5));
+    fs::rename(path_, elsewhere);
     EXPECT_THAT(store.renewIfGone().english(), saysAll("arm.hexo: was moved to " + elsewhere.string()));
-    appendOne(store, capture(12, 0.5));
+    appendTo(store, capture(12, 0.5));
   }
   EXPECT_EQ(poseIds(SessionStore::open(path_).readSession()).back(), 12U);
   EXPECT_EQ(poseIds(SessionStore::open(elsewhere).readSession()).back(), 11U);
 }
 
 TEST_F(SessionStoreTest, OneWhoseFolderIsGoneIsWrittenAnewOnceThereIsOne) {
-  const std::filesystem::path before = folder_.path() / "before";
-  const std::filesystem::path after = folder_.path() / "after";
-  std::filesystem::create_directory(before);
+  const fs::path before = folder_.path() / "before";
+  const fs::path after = folder_.path() / "after";
+  fs::create_directory(before);
   SessionStore store = SessionStore::create(before / "arm.hexo", sessionWithEverything());
-  appendOne(store, capture(11, 0.5));
-  std::filesystem::rename(before, after);
+  appendTo(store, capture(11, 0.5));
+  fs::rename(before, after);
   EXPECT_THAT(messageOf<StorageError>([&] { store.renewIfGone(); }),
               saysAll("before/arm.hexo: was moved to ", "after/arm.hexo while it was open, with what was stored in it",
                       "it can't be written anew", "No such file"));
   EXPECT_EQ(poseIds(readSessionStore(after / "arm.hexo")).back(), 11U);
-  std::filesystem::create_directory(before);
+  fs::create_directory(before);
   EXPECT_FALSE(store.renewIfGone().empty());
   EXPECT_EQ(poseIds(readSessionStore(before / "arm.hexo")).back(), 11U);
 }
 
 TEST_F(SessionStoreTest, OneWhoseNameSomethingElseHasByNowReplacesNothing) {
   SessionStore store = SessionStore::create(path_, sessionWithEverything());
-  std::filesystem::remove(path_);
+  fs::remove(path_);
   folder_.put("arm.hexo", "a letter");
   EXPECT_THAT(messageOf<StorageError>([&] { store.renewIfGone(); }),
               saysAll("arm.hexo: was removed while it was open", "exists already"));
@@ -308,12 +260,12 @@ TEST_F(SessionStoreTest, OneWhoseNameSomethingElseHasByNowReplacesNothing) {
 
 /// Makes a session in an empty folder on a small disk. 0: it was made; 1: it was not, and nothing is left; 2: something
 /// is left.
-int makeOnSmallDisk(const std::filesystem::path& folder) {
+int makeOnSmallDisk(const fs::path& folder) {
   try {
-    SessionStore::create(folder / "arm.hexo", Session(builtInCellModel("hex-bma150"), {}));
+    SessionStore::create(folder / "arm.hexo", emptySession());
     return 0;
   } catch (const StorageError&) {
-    return std::filesystem::is_empty(folder) ? 1 : 2;
+    return fs::is_empty(folder) ? 1 : 2;
   }
 }
 
@@ -339,14 +291,12 @@ TEST_F(SessionStoreTest, KeepsRawSamples) {
   auto device = std::make_shared<std::vector<SampleFrame>>();  // whole steps of 1/256 g, as a device reads them
   device->push_back({1e9 + 0.001, {{CellId(1), {0.00390625, -1.5, 0.99609375}}}, {}, {}});
 
-  SessionStore store = SessionStore::create(path_, Session(builtInCellModel("hex-bma150"), {}));
-  AddPose first = capture(1, 0.5);
-  first.raw = exact;
-  AddPose second = capture(2, 0.5);
-  second.raw = device;
+  SessionStore store = SessionStore::create(path_, emptySession());
+  const AddPose first = test::with(capture(1, 0.5), &AddPose::raw, exact);
+  const AddPose second = test::with(capture(2, 0.5), &AddPose::raw, device);
   store.append(std::vector<StoreOperation>{first, second, capture(3, 0.5)});
-  appendOne(store, RemovePose{0});
-  appendOne(store, RestorePose{first.pose, 2});
+  appendTo(store, RemovePose{0});
+  appendTo(store, RestorePose{first.pose, 2});
 
   const SessionStore reader = SessionStore::openReadOnly(path_);
   EXPECT_THAT(poseIds(reader.readSession()), ElementsAre(2U, 3U, 1U));
@@ -375,9 +325,9 @@ TEST_F(SessionStoreTest, AnotherDigestForAnotherSession) {
   const std::string before = store.readSession().source().sha256;
   EXPECT_EQ(store.readSession().source().sha256, before);
   EXPECT_EQ(readSessionStore(path_).source().sha256, before);
-  appendOne(store, RemovePose{0});
+  appendTo(store, RemovePose{0});
   EXPECT_NE(store.readSession().source().sha256, before);
 }
 
 }  // namespace
-}  // namespace hexoderm
+}  // namespace hexoderm::store_test

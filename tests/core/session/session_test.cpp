@@ -1,13 +1,8 @@
 #include "hexoderm/session/session.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/sim/simulated_session.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <functional>
-#include <limits>
+#include "tests/support/options.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -89,17 +84,14 @@ TEST(Session, ALinkIsSetAsideInEitherOrderOfItsEndsAndTakenBack) {
 TEST(Session, ANewSkinLeavesEverythingElse) {
   Session session(builtInCellModel("hex-bma150"), {{CellId(1), "", {}}},
                   {Message::verbatim("an arm"), "arm.hexo", "abc"});
-  GroundTruth truth;
-  truth.frame = "arm";
-  session.setTruth(truth);
+  session.setTruth({"arm", {}});
   for (std::uint32_t id = 1; id <= 3; ++id) session.addPose(pose(id));
   session.setPoseDisabled(0, true, "the arm moved");
   session.removePose(2);
   const auto before = session.snapshot();
 
-  CellModel model = builtInCellModel("hex-bma150");
-  model.name = "another";
-  session.setSkin(model, {{CellId(1), "", {}}, {CellId(2), "", {}}});
+  session.setSkin(test::with(builtInCellModel("hex-bma150"), &CellModel::name, "another"),
+                  {{CellId(1), "", {}}, {CellId(2), "", {}}});
   const auto after = session.snapshot();
   EXPECT_LT(before->revision, after->revision);
   EXPECT_EQ(before->model->name, "hex-bma150");

@@ -2,19 +2,14 @@
 
 #include "hexoderm/skin/origin_search.h"
 #include "hexoderm/skin/shortest_paths.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/neighbor_lists.h"
+#include "tests/support/testing.h"
 
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
 #include <numeric>
-#include <random>
 
 namespace hexoderm {
 namespace {
@@ -30,8 +25,6 @@ struct Skin {
 
 Skin randomSkin(std::uint32_t rows, std::uint32_t columns, std::mt19937& random, const auto& drawWeight,
                 double missing = 0.1) {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
   NeighborList list;
   // IDs far apart and in no order, so that they are no indices.
   std::vector<std::uint32_t> ids(rows * columns);
@@ -51,7 +44,7 @@ Skin randomSkin(std::uint32_t rows, std::uint32_t columns, std::mt19937& random,
       if (row + 1 < rows) join(k, 2, k + columns, 3);
     }
   }
-  Skin skin{SkinGraph(model, list), {}};
+  Skin skin{SkinGraph(test::modelOfMany(), list), {}};
   EXPECT_TRUE(skin.graph.findings().empty());
   std::vector<std::size_t> muted;
   for (std::size_t k = 0; k < skin.graph.links().size(); ++k) {

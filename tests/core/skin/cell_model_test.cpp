@@ -1,19 +1,11 @@
 #include "hexoderm/skin/cell_model.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/temporary_folder.h"
-
-#include <gtest/gtest.h>
-
-#include <string>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 CellModel hex() { return builtInCellModel("hex-bma150"); }
 
@@ -81,11 +73,8 @@ TEST(CellModelJson, ComesBackAsItWas) {
   const CellModel back = cellModelFromJson(text, "own.json");
   EXPECT_EQ(cellModelToJson(back), text);
   EXPECT_EQ(back.name, "own");
-  ASSERT_EQ(back.ports.size(), 5U);
-  for (std::size_t k = 0; k < 5; ++k) {
-    EXPECT_EQ(back.ports[k].number, model.ports[k].number);
-    EXPECT_EQ(back.ports[k].vector_m, model.ports[k].vector_m);
-  }
+  EXPECT_EQ(collect(back.ports, &Port::number), collect(model.ports, &Port::number));
+  EXPECT_EQ(collect(back.ports, &Port::vector_m), collect(model.ports, &Port::vector_m));
   EXPECT_EQ(back.forbidden_port_pairs, model.forbidden_port_pairs);
   ASSERT_EQ(back.sensors.size(), 1U);
   EXPECT_EQ(back.sensors[0].name, "force 1");
@@ -137,11 +126,7 @@ TEST(CellModelJson, IsLoadedFromAFileOfTheUsersOwn) {
 
 /// The complaint about the built-in model with one text replaced.
 std::string complaintWith(const std::string& from, const std::string& to) {
-  std::string text = cellModelToJson(hex());
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  text.replace(at, from.size(), to);
-  return messageOf<FormatError>([&] { cellModelFromJson(text, "m.json"); });
+  return messageOf<FormatError>([&] { cellModelFromJson(replaced(cellModelToJson(hex()), from, to), "m.json"); });
 }
 
 TEST(CellModelJson, RefusesPortsThatMakeNoSense) {

@@ -1,18 +1,10 @@
 #include "hexoderm/skin/cut_elements.h"
 
 #include "tests/core/skin/small_skins.h"
-
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 /// The definition, link by link and cell by cell.
 CutElements byTakingOut(const SkinGraph& graph) {

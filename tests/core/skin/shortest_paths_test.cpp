@@ -2,11 +2,7 @@
 
 #include "hexoderm/skin/origin_search.h"
 #include "tests/support/neighbor_lists.h"
-
-#include <gmock/gmock.h>
-
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -14,19 +10,13 @@ namespace {
 using test::joinCells;
 using test::listOfCells;
 using test::listOfSheet;
-using ::testing::ElementsAre;
-
-CellModel bigModel() {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.interface_id = CellId(std::numeric_limits<std::uint32_t>::max());
-  return model;
-}
+using test::modelOfMany;
 
 TEST(Origin, RealWeightsOfALargePatchTakeFewRuns) {
   for (const unsigned seed : {3U, 104U}) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> uniform(0.5, 4);
-    const SkinGraph graph(bigModel(), listOfSheet(100, 101));
+    const SkinGraph graph(modelOfMany(), listOfSheet(100, 101));
     std::vector<double> weights(graph.links().size());
     for (double& weight : weights) weight = uniform(random);
     EXPECT_LE(searchOrigin(graph, weights, 0).runs, 71U) << "seed " << seed;
@@ -34,10 +24,10 @@ TEST(Origin, RealWeightsOfALargePatchTakeFewRuns) {
 }
 
 TEST(Origin, TiesGoToTheSmallestId) {
-  const SkinGraph ring(bigModel(), listOfSheet(1, 8, true));
+  const SkinGraph ring(modelOfMany(), listOfSheet(1, 8, true));
   const std::vector<double> ones(ring.links().size(), 1);
   EXPECT_EQ(findOrigin(ring, ones, 0), 0);
-  const SkinGraph even_line(bigModel(), listOfSheet(1, 8));
+  const SkinGraph even_line(modelOfMany(), listOfSheet(1, 8));
   EXPECT_EQ(findOrigin(even_line, std::vector<double>(7, 1), 0), 3);
 }
 
@@ -52,7 +42,7 @@ TEST(ShortestPaths, PreferFewerLinksThenTheSmallestPredecessor) {
   joinCells(list, 4, 1, 3, 3);
   joinCells(list, 1, 3, 5, 2);
   joinCells(list, 2, 2, 5, 3);
-  const SkinGraph graph(bigModel(), list);
+  const SkinGraph graph(modelOfMany(), list);
   std::vector<double> weights(graph.links().size(), 1);
   for (std::size_t k = 0; k < weights.size(); ++k) {
     const GraphLink& link = graph.links()[k];
@@ -66,7 +56,7 @@ TEST(ShortestPaths, PreferFewerLinksThenTheSmallestPredecessor) {
 }
 
 TEST(ShortestPaths, AreAsLargeAsTheirPatch) {
-  SkinGraph graph(bigModel(), listOfSheet(1, 7));
+  SkinGraph graph(modelOfMany(), listOfSheet(1, 7));
   const std::size_t muted[] = {3};
   graph.mute(muted, FindingCode::LinkNotRigid);
   const ShortestPaths paths = findShortestPaths(graph, std::vector<double>(6, 2), 5);

@@ -2,15 +2,12 @@
 
 #include "hexoderm/skin/breadth_first.h"
 #include "tests/core/skin/small_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <boost/graph/graph_concepts.hpp>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
 
 template <class Graph>
 void assertConcepts() {

@@ -1,15 +1,11 @@
 #include "hexoderm/skin/skin_graph.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
+#include "tests/support/options.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 using ::testing::UnorderedElementsAre;
 
 const CellModel& model() {
@@ -25,11 +21,7 @@ CellReport cell(std::uint32_t id, std::vector<NeighborReport> neighbors, std::st
   return {CellId(id), std::move(body_part), std::move(neighbors)};
 }
 
-std::vector<FindingCode> codes(const SkinGraph& graph) {
-  std::vector<FindingCode> codes;
-  for (const Finding& finding : graph.findings()) codes.push_back(finding.code);
-  return codes;
-}
+std::vector<FindingCode> codes(const SkinGraph& graph) { return collect(graph.findings(), &Finding::code); }
 
 std::size_t usedLinks(const SkinGraph& graph) {
   return static_cast<std::size_t>(std::ranges::count(graph.links(), false, &GraphLink::muted));
@@ -143,8 +135,7 @@ TEST(SkinGraph, TwoHexagonsAreNotJoinedTwice) {
 }
 
 TEST(SkinGraph, ForbiddenPortPairsAreMuted) {
-  CellModel strict = model();
-  strict.forbidden_port_pairs = {{PortNumber(4), PortNumber(1)}};
+  const CellModel strict = test::with(model(), &CellModel::forbidden_port_pairs, {{PortNumber(4), PortNumber(1)}});
   const SkinGraph graph(strict, line());
   EXPECT_EQ(codes(graph), (std::vector{FindingCode::ForbiddenPortPair, FindingCode::ForbiddenPortPair}));
   EXPECT_EQ(usedLinks(graph), 0);

@@ -1,24 +1,15 @@
 #include "hexoderm/device/skinwire/codec.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/device/skinwire/crc32c.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <cmath>
-#include <filesystem>
-#include <functional>
-#include <limits>
 #include <sstream>
-#include <utility>
 
 namespace hexoderm::skinwire {
 namespace {
-
-using testing::HasSubstr;
 
 Bytes bytesOf(std::string_view text) { return {text.begin(), text.end()}; }
 
@@ -146,9 +137,8 @@ TEST(SkinWireCodec, TellsOtherDialectsAndChecksumsFromNoise) {
   const std::string line = encodeLine(helloMessage());
   EXPECT_EQ(kindOf(Bytes(line.begin(), line.end())), ProtocolViolationKind::WrongDialect);
   const Bytes good = encodeBody(helloMessage());
-  Bytes with_length = {static_cast<std::uint8_t>(good.size()), 0, 0, 0};
-  with_length.insert(with_length.end(), good.begin(), good.end());
-  EXPECT_EQ(kindOf(with_length), ProtocolViolationKind::WrongDialect);
+  EXPECT_EQ(kindOf(joined({{static_cast<std::uint8_t>(good.size()), 0, 0, 0}, good})),
+            ProtocolViolationKind::WrongDialect);
   Bytes swapped = good;
   std::reverse(swapped.end() - 4, swapped.end());
   EXPECT_THAT(decodeBody(swapped).reason().english(), HasSubstr("big-endian"));
@@ -224,17 +214,12 @@ TEST(SkinWireCodec, RefusesSamplesThatMakeNoSense) {
 }
 
 TEST(SkinWireCodec, RefusesOtherMessagesThatMakeNoSense) {
-  const auto hello = [](auto Hello::*field, const auto& value) {
-    Hello senseless = helloMessage();
-    senseless.*field = value;
-    return senseless;
-  };
   EXPECT_TRUE(complaint(Joints{0, {}, {1}}).empty());
   const std::vector<std::pair<Message, const char*>> messages = {
-      {hello(&Hello::rate_hz, std::nan("")), "rate_hz"},
-      {hello(&Hello::cell_model, std::string(65'537, '{')), "cell_model"},
-      {hello(&Hello::cell_model, std::string()), "cell_model"},
-      {hello(&Hello::device, std::string(1001, 'x')), "device"},
+      {helloWith(&Hello::rate_hz, std::nan("")), "rate_hz"},
+      {helloWith(&Hello::cell_model, std::string(65'537, '{')), "cell_model"},
+      {helloWith(&Hello::cell_model, ""), "cell_model"},
+      {helloWith(&Hello::device, std::string(1001, 'x')), "device"},
       {Topology{1, 2, 2, {}}, "part"},
       {Topology{1, 0, UINT32_MAX, {}}, "parts"},
       {Command{1, TurnTo{1, {0, 0, 2}}}, "unit vector"},

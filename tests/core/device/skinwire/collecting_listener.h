@@ -35,24 +35,12 @@ class CollectingListener : public SkinListener {
     }
   };
 
-  void onSkin(const SkinDescription& skin) override {
-    add([&] { delivered_.skins.push_back(skin); });
-  }
-  void onFrame(const SampleFrame& frame) override {
-    add([&] { delivered_.frames.push_back(frame); });
-  }
-  void onStatus(const SourceStatus& status) override {
-    add([&] { delivered_.statuses.push_back(status); });
-  }
-  void onCommandOutcome(const CommandOutcome& outcome) override {
-    add([&] { delivered_.outcomes.push_back(outcome); });
-  }
-  void onDeviceStatus(const DeviceStatus& status) override {
-    add([&] { delivered_.device_statuses.push_back(status); });
-  }
-  void onJoints(const JointReport& joints) override {
-    add([&] { delivered_.joints.push_back(joints); });
-  }
+  void onSkin(const SkinDescription& skin) override { add(delivered_.skins, skin); }
+  void onFrame(const SampleFrame& frame) override { add(delivered_.frames, frame); }
+  void onStatus(const SourceStatus& status) override { add(delivered_.statuses, status); }
+  void onCommandOutcome(const CommandOutcome& outcome) override { add(delivered_.outcomes, outcome); }
+  void onDeviceStatus(const DeviceStatus& status) override { add(delivered_.device_statuses, status); }
+  void onJoints(const JointReport& joints) override { add(delivered_.joints, joints); }
 
   /// False if it never comes.
   template <class Condition>
@@ -66,10 +54,10 @@ class CollectingListener : public SkinListener {
   }
 
  private:
-  template <class Action>
-  void add(const Action& action) {
+  template <class Event>
+  void add(std::vector<Event>& events, const Event& event) {
     const std::lock_guard lock(mutex_);
-    action();
+    events.push_back(event);
     changed_.notify_all();
   }
 

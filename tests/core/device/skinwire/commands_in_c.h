@@ -3,7 +3,6 @@
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/skinwire.h"
 
-#include <cstddef>
 #include <variant>
 
 namespace hexoderm::skinwire {
@@ -20,11 +19,8 @@ inline bool isSame(const skinwire_command& in_c, const Command& command) {
            found.green == led->green && found.blue == led->blue;
   }
   if (const auto* turn = std::get_if<TurnTo>(&command.request)) {
-    bool is_same = in_c.request == SKINWIRE_TURN_TO && in_c.of.turn_to.cell == turn->cell;
-    for (std::size_t k = 0; is_same && k < 3; ++k) {
-      is_same = in_c.of.turn_to.up[k] == static_cast<float>(turn->up_u[static_cast<Eigen::Index>(k)]);
-    }
-    return is_same;
+    return in_c.request == SKINWIRE_TURN_TO && in_c.of.turn_to.cell == turn->cell &&
+           Eigen::Map<const Eigen::Vector3f>(in_c.of.turn_to.up) == turn->up_u.cast<float>();
   }
   if (std::holds_alternative<ExploreAgain>(command.request)) return in_c.request == SKINWIRE_EXPLORE_AGAIN;
   if (const auto* describe = std::get_if<Describe>(&command.request)) {

@@ -1,13 +1,8 @@
 #include "hexoderm/device/skinwire/description.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {
@@ -87,11 +82,8 @@ TEST(Hello, CarriesBuiltInModelsByNameAndOthersWhole) {
 }
 
 TEST(Hello, OpensNoFilesForTheDevice) {
-  Hello hello = helloMessage();
-  hello.cell_model = "/etc/passwd";
-  EXPECT_THROW(cellModelOf(hello), InvalidArgument);
-  hello.cell_model = "{\"name\": 3}";
-  EXPECT_THROW(cellModelOf(hello), FormatError);
+  EXPECT_THROW(cellModelOf(helloWith(&Hello::cell_model, "/etc/passwd")), InvalidArgument);
+  EXPECT_THROW(cellModelOf(helloWith(&Hello::cell_model, "{\"name\": 3}")), FormatError);
 }
 
 }  // namespace

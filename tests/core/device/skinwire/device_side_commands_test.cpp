@@ -5,11 +5,7 @@
 #include "tests/core/device/skinwire/random_messages.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 
-#include <gtest/gtest.h>
-#include <cstdint>
-#include <string>
 #include <variant>
-#include <vector>
 
 namespace hexoderm::skinwire {
 namespace {
@@ -110,8 +106,7 @@ TEST(DeviceSide, BelievesNoLengthThatReachesBeyondTheBody) {
   for (std::uint8_t number = 1; number < 128; ++number) {
     for (const Bytes& request : {Bytes{0x32, 0, 0x08, 3}, Bytes{0x1A, 0, 0x08, 5}, Bytes{0x2A, 0}, Bytes{0x4A, 0}}) {
       for (const std::size_t too_much : {1, 2, 3, 4, 5, 100}) {
-        Bytes payload = {0x08, number};
-        payload.insert(payload.end(), request.begin(), request.end());
+        Bytes payload = joined({{0x08, number}, request});
         payload.at(3) = static_cast<std::uint8_t>(request.size() - 2 + too_much);
         skinwire_command command{};
         ASSERT_EQ(eventOf(bodyOf(kCommand, payload), command), SKINWIRE_BROKEN) << testing::PrintToString(payload);
@@ -126,10 +121,7 @@ TEST(DeviceSide, FindsTheNextCommandAfterGarbage) {
   RandomMessages random(6);
   const Bytes good = encodeFrame(Framing::Cobs, Command{77, SetLed{3, 1, 2, 3}});
   for (int k = 0; k < 20'000; ++k) {
-    Bytes bytes = random.garbage(300);
-    bytes.push_back(0);
-    bytes.insert(bytes.end(), good.begin(), good.end());
-    const Received received = receive(bytes, SKINWIRE_COBS);
+    const Received received = receive(joined({random.garbage(300), {0}, good}), SKINWIRE_COBS);
     ASSERT_FALSE(received.events.empty());
     ASSERT_EQ(received.events.back(), SKINWIRE_COMMAND) << k;
     EXPECT_TRUE(isSame(received.commands.back(), Command{77, SetLed{3, 1, 2, 3}}));
@@ -141,26 +133,20 @@ TEST(DeviceSide, LeavesOutCommandsThatAreLongerThanItsBuffer) {
   Bytes long_payload = {0x08, 7, 0x4A, 100};
   long_payload.resize(long_payload.size() + 100, 1);
   const Bytes long_body = bodyOf(kCommand, long_payload);
-  Bytes cobs = encodeCobs(long_body);
-  cobs.push_back(0);
-  const Bytes next = encodeFrame(Framing::Cobs, good);
-  cobs.insert(cobs.end(), next.begin(), next.end());
+  const Bytes cobs = joined({encodeCobs(long_body), {0}, encodeFrame(Framing::Cobs, good)});
   EXPECT_EQ(receive(cobs, SKINWIRE_COBS).events, (std::vector{SKINWIRE_BROKEN, SKINWIRE_COMMAND}));
   EXPECT_EQ(receive(cobs, SKINWIRE_COBS, 200).events, (std::vector{SKINWIRE_COMMAND, SKINWIRE_COMMAND}));
 
-  Bytes by_length = {static_cast<std::uint8_t>(long_body.size()), 0, 0, 0};
-  by_length.insert(by_length.end(), long_body.begin(), long_body.end());
-  const Bytes next_by_length = encodeFrame(Framing::Length, good);
-  by_length.insert(by_length.end(), next_by_length.begin(), next_by_length.end());
+  const Bytes by_length =
+      joined({{static_cast<std::uint8_t>(long_body.size()), 0, 0, 0}, long_body, encodeFrame(Framing::Length, good)});
   EXPECT_EQ(receive(by_length, SKINWIRE_LENGTH).events, (std::vector{SKINWIRE_BROKEN, SKINWIRE_COMMAND}));
 }
 
 TEST(DeviceSide, SaysThatAStreamWithLengthsIsLost) {
-  Bytes bytes = encodeFrame(Framing::Length, Command{77, ExploreAgain{}});
-  const Bytes good = bytes;
-  bytes.at(6) ^= 1U;
-  bytes.insert(bytes.end(), good.begin(), good.end());
-  const Received received = receive(bytes, SKINWIRE_LENGTH);
+  const Bytes good = encodeFrame(Framing::Length, Command{77, ExploreAgain{}});
+  Bytes bad = good;
+  bad.at(6) ^= 1U;
+  const Received received = receive(joined({bad, good}), SKINWIRE_LENGTH);
   ASSERT_FALSE(received.events.empty());
   for (const skinwire_event event : received.events) EXPECT_EQ(event, SKINWIRE_LOST);
   EXPECT_EQ(receive(Bytes{5, 0, 0, 0}, SKINWIRE_LENGTH).events, std::vector{SKINWIRE_LOST});

@@ -4,16 +4,9 @@
 
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/skinwire/skinwire.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace hexoderm::skinwire {
 

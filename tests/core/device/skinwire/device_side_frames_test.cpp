@@ -5,9 +5,6 @@
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/slow_build.h"
 
-#include <gtest/gtest.h>
-#include <cstdint>
-
 namespace hexoderm::skinwire {
 namespace {
 

@@ -4,14 +4,6 @@
 #include "tests/core/device/skinwire/device_side_fixture.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 
-#include <gtest/gtest.h>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <random>
-#include <string>
-#include <vector>
-
 namespace hexoderm::skinwire {
 namespace {
 
@@ -77,8 +69,7 @@ TEST(DeviceSide, ATopologyGoesInPartsThatFitTheBuffer) {
 
 /// Whether the library takes an Ack with this text.
 bool isTextOfAHost(const std::string& text) {
-  Bytes payload = {0x1A, static_cast<std::uint8_t>(text.size())};
-  payload.insert(payload.end(), text.begin(), text.end());
+  const Bytes payload = joined({{0x1A, static_cast<std::uint8_t>(text.size())}, Bytes(text.begin(), text.end())});
   return decodeBody(bodyOf(6, payload)).outcome == DecodeOutcome::Understood;
 }
 

@@ -2,15 +2,9 @@
 
 #include "hexoderm/device/skinwire/skinwire.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
+#include "tests/support/testing.h"
+
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <limits>
-#include <random>
-#include <vector>
 
 namespace hexoderm::skinwire {
 namespace {

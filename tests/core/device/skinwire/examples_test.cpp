@@ -6,11 +6,9 @@
 #include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -84,12 +82,10 @@ TEST(ExampleSender, TheScriptInTheReadmeIsASkin) {
 }
 
 TEST(ExampleCell, TheCellModelOnThePageIsOne) {
-  std::string text = exampleIn("build_a_cell.md", "json");
+  const std::string text = exampleIn("build_a_cell.md", "json");
   EXPECT_EQ(cellModelFromJson(text, "page").accelerometer.lsb_g, 0.001);
-  const std::string upright = "[1, 0, 0, 0]";
-  ASSERT_NE(text.find(upright), std::string::npos);
-  text.replace(text.find(upright), upright.size(), "[0.70710678, 0, 0, 0.70710678]");
-  const Eigen::Vector3d x_u = cellModelFromJson(text, "page").accelerometer.T_u_a.R * Eigen::Vector3d::UnitX();
+  const std::string turned = replaced(text, "[1, 0, 0, 0]", "[0.70710678, 0, 0, 0.70710678]");
+  const Eigen::Vector3d x_u = cellModelFromJson(turned, "page").accelerometer.T_u_a.R * Eigen::Vector3d::UnitX();
   EXPECT_NEAR(x_u.y(), 1, 1e-9);
 }
 

@@ -1,10 +1,7 @@
 #include "hexoderm/device/skinwire/framing.h"
 
 #include "tests/core/device/skinwire/wire_messages.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {
@@ -13,7 +10,11 @@ constexpr Framing kFramings[] = {Framing::Length, Framing::Cobs, Framing::Lines}
 
 Bytes asBytes(std::string_view text) { return {text.begin(), text.end()}; }
 
-void append(Bytes& stream, const Bytes& more) { stream.insert(stream.end(), more.begin(), more.end()); }
+Bytes encodeFrames(Framing framing, const std::vector<Message>& messages) {
+  Bytes stream;
+  for (const Message& message : messages) stream = joined({stream, encodeFrame(framing, message)});
+  return stream;
+}
 
 struct Outcome {
   std::vector<Message> messages;
@@ -73,8 +74,7 @@ TEST(Cobs, RefusesWhatNoEncoderWrites) {
 
 TEST(FrameDecoder, ReadsEveryFramingInPiecesOfAnySize) {
   for (const Framing framing : kFramings) {
-    Bytes stream;
-    for (const Message& message : everyMessage()) append(stream, encodeFrame(framing, message));
+    const Bytes stream = encodeFrames(framing, everyMessage());
     for (const std::size_t piece : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{64}, stream.size()}) {
       FrameDecoder decoder(framing);
       const Outcome outcome = decodeAll(decoder, stream, piece);
@@ -87,10 +87,8 @@ TEST(FrameDecoder, ReadsEveryFramingInPiecesOfAnySize) {
 
 TEST(FrameDecoder, ALengthThatBeginsLikeALineIsStillALength) {
   // '{' is 0x7B = 123: a device name makes the frame just that long.
-  Hello hello = helloMessage();
-  hello.device.clear();
-  const std::size_t shorter = encodeBody(hello).size() + 2;
-  hello.device.assign('{' - shorter, 'x');
+  const std::size_t shorter = encodeBody(helloWith(&Hello::device, "")).size() + 2;
+  const Hello hello = helloWith(&Hello::device, std::string('{' - shorter, 'x'));
   const Bytes frame = encodeFrame(Framing::Length, hello);
   ASSERT_EQ(frame[0], '{');
   FrameDecoder decoder(std::nullopt);
@@ -102,8 +100,7 @@ TEST(FrameDecoder, NoFlippedBitLetsAWrongMessageThrough) {
   const Bytes before = encodeBody(Status{"before", false, 0, 0});
   for (const Framing framing : {Framing::Length, Framing::Cobs}) {
     const std::vector<Message> sent = {rawSamples(0, 1000), meanSamples(), helloMessage()};
-    Bytes good;
-    for (const Message& message : sent) append(good, encodeFrame(framing, message));
+    const Bytes good = encodeFrames(framing, sent);
     for (std::size_t bit = 0; bit < 8 * good.size(); ++bit) {
       Bytes bad = good;
       bad[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
@@ -120,10 +117,8 @@ TEST(FrameDecoder, NoFlippedBitLetsAWrongMessageThrough) {
 }
 
 TEST(FrameDecoder, RecognizesTheFramingOfASerialPortOnTcp) {
-  Bytes stream = {0};
-  for (const Message& message : {Message(helloMessage()), Message(rawSamples(0, 1000)), Message(rawSamples(4, 2000))}) {
-    append(stream, encodeFrame(Framing::Cobs, message));
-  }
+  const Bytes stream =
+      joined({{0}, encodeFrames(Framing::Cobs, {helloMessage(), rawSamples(0, 1000), rawSamples(4, 2000)})});
   std::size_t said = 0;
   for (std::size_t begin = 0; begin + 60 < stream.size(); ++begin) {  // a bridge begins anywhere
     SCOPED_TRACE(begin);
@@ -144,9 +139,8 @@ TEST(FrameDecoder, RecognizesTheFramingOfASerialPortOnTcp) {
 
 TEST(FrameDecoder, GoesOnAtTheNextLineAfterABrokenOne) {
   FrameDecoder decoder(Framing::Lines);
-  Bytes stream = asBytes("{\"hello\": oops}\n\n   \r\nwhat is this\n");
-  append(stream, encodeFrame(Framing::Lines, helloMessage()));
-  const Outcome outcome = decodeAll(decoder, stream, 5);
+  const Bytes broken = asBytes("{\"hello\": oops}\n\n   \r\nwhat is this\n");
+  const Outcome outcome = decodeAll(decoder, joined({broken, encodeFrame(Framing::Lines, helloMessage())}), 5);
   EXPECT_EQ(outcome.messages, std::vector<Message>{helloMessage()});
   EXPECT_EQ(outcome.broken, 2);
 }
@@ -162,8 +156,8 @@ TEST(FrameDecoder, SkipsWhatIsTooLongAndHoldsNoMoreThanALimit) {
       ASSERT_LE(decoder.buffered(), kMaxBody + kMaxBody / 254 + 1 + piece.size());
     }
     EXPECT_EQ(outcome.broken, 1);
-    Bytes rest = {static_cast<std::uint8_t>(framing == Framing::Lines ? '\n' : 0)};
-    append(rest, encodeFrame(framing, helloMessage()));
+    const Bytes end = {static_cast<std::uint8_t>(framing == Framing::Lines ? '\n' : 0)};
+    const Bytes rest = joined({end, encodeFrame(framing, helloMessage())});
     const Outcome after = decodeAll(decoder, rest, rest.size());
     EXPECT_EQ(after.messages, std::vector<Message>{helloMessage()});
     EXPECT_EQ(after.broken, 0);
@@ -176,9 +170,7 @@ TEST(FrameDecoder, ABadLengthOrCrcEndsAStreamOfLengths) {
   wrong_crc.back() ^= 1U;
   for (const Bytes& bad : {Bytes{0, 0, 0x10, 1}, Bytes{1, 0, 0x10, 0}, Bytes{0, 0, 0, 0}, wrong_crc}) {
     FrameDecoder decoder(Framing::Length);
-    Bytes stream = good;
-    append(stream, bad);
-    append(stream, good);
+    const Bytes stream = joined({good, bad, good});
     const Outcome outcome = decodeAll(decoder, stream, stream.size());
     EXPECT_EQ(outcome.messages.size(), 1U);
     EXPECT_EQ(outcome.broken, 1);

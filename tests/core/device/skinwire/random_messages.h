@@ -23,46 +23,28 @@ class RandomMessages {
   std::uint8_t byte() { return static_cast<std::uint8_t>(upTo(255)); }
 
   Message device() {
-    switch (upTo(5)) {
-      case 0:
-        return hello();
-      case 1:
-        return topology();
-      case 2:
-        return Status{text(1005), chance(50), number(UINT64_MAX), number(UINT64_MAX)};
-      case 3:
-        return ack();
-      case 4:
-        return joints();
-      default:
-        return samples();
-    }
+    const std::uint64_t kind = upTo(5);
+    if (kind == 0) return hello();
+    if (kind == 1) return topology();
+    if (kind == 2) return Status{text(1005), chance(50), number(UINT64_MAX), number(UINT64_MAX)};
+    if (kind == 3) return ack();
+    return kind == 4 ? joints() : samples();
   }
 
   Message command() {
     Command command{static_cast<std::uint32_t>(number(UINT32_MAX)), {}};
-    switch (upTo(5)) {
-      case 0:
-        command.request = SetRate{chance(10) ? 1e6 : std::ldexp(1 + fraction(), static_cast<int>(upTo(59)) - 41)};
-        break;
-      case 1:
-        command.request = SetLed{id(), byte(), byte(), byte()};
-        break;
-      case 2: {
-        Eigen::Vector3d up(fraction() - 0.5, fraction() - 0.5, fraction() - 0.5);
-        if (chance(30)) up = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(upTo(2)));
-        command.request = TurnTo{id(), up.normalized()};
-        break;
-      }
-      case 3:
-        command.request = ExploreAgain{};
-        break;
-      case 4:
-        command.request = chance(50) ? Describe{} : Describe{static_cast<std::uint32_t>(number(UINT32_MAX))};
-        break;
-      default:
-        break;  // one that the device does not know
+    const std::uint64_t kind = upTo(5);  // 5: one that the device does not know
+    if (kind == 0) {
+      command.request = SetRate{chance(10) ? 1e6 : std::ldexp(1 + fraction(), static_cast<int>(upTo(59)) - 41)};
     }
+    if (kind == 1) command.request = SetLed{id(), byte(), byte(), byte()};
+    if (kind == 2) {
+      Eigen::Vector3d up(fraction() - 0.5, fraction() - 0.5, fraction() - 0.5);
+      if (chance(30)) up = Eigen::Vector3d::Unit(static_cast<Eigen::Index>(upTo(2)));
+      command.request = TurnTo{id(), up.normalized()};
+    }
+    if (kind == 3) command.request = ExploreAgain{};
+    if (kind == 4) command.request = chance(50) ? Describe{} : Describe{static_cast<std::uint32_t>(number(UINT32_MAX))};
     return command;
   }
 

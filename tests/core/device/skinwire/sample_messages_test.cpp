@@ -1,12 +1,9 @@
 #include "hexoderm/device/skinwire/sample_messages.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/wire_messages.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gtest/gtest.h>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {
@@ -14,14 +11,18 @@ namespace {
 constexpr double kLsb_g = 0.0039;
 
 SampleFrame quantised(double time_s, std::uint32_t cells) {
-  SampleFrame frame;
-  frame.time_s = time_s;
+  SampleFrame frame{time_s};
   for (std::uint32_t id = 1; id <= cells; ++id) {
     frame.samples.push_back({CellId(id), Eigen::Vector3d(id % 512, -1.0, 256) * kLsb_g});
   }
   return frame;
 }
 
+std::vector<Samples> encoded(const SampleFrame& frame) {
+  std::vector<Samples> out;
+  SampleEncoder(kLsb_g).encode(frame, out);
+  return out;
+}
 SampleFrame decoded(const Samples& message) {
   SampleFrame frame;
   decodeTick(message, 0, kLsb_g, frame);
@@ -29,9 +30,7 @@ SampleFrame decoded(const Samples& message) {
 }
 
 TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
-  SampleEncoder encoder(kLsb_g);
-  std::vector<Samples> out;
-  encoder.encode(quantised(1.234567, 17), out);
+  const std::vector<Samples> out = encoded(quantised(1.234567, 17));
   ASSERT_EQ(out.size(), 1U);
   EXPECT_FALSE(out[0].raw_lsb.empty());
   EXPECT_EQ(out[0].time_us, 1'234'567U);
@@ -39,8 +38,7 @@ TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
 }
 
 TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
-  SampleFrame frame;
-  frame.samples = {{CellId(5), {0.25, 0.1, -1}}, {CellId(6), Eigen::Vector3d(1, 2, 3) * kLsb_g}};
+  const SampleFrame frame{0, {{CellId(5), {0.25, 0.1, -1}}, {CellId(6), Eigen::Vector3d(1, 2, 3) * kLsb_g}}};
   SampleEncoder encoder(kLsb_g);
   std::vector<Samples> out;
   encoder.encode(frame, out);
@@ -53,23 +51,11 @@ TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
 }
 
 TEST(SampleMessages, MeansAndTemperaturesComeBack) {
-  SampleFrame frame;
-  frame.time_s = 2;
-  frame.means = {{CellId(1), {0, 0.5, -1}, {0.25, 0.5, 0}, 12}};
-  frame.temperatures = {{CellId(1), 36.5}};
-  SampleEncoder encoder(kLsb_g);
-  std::vector<Samples> out;
-  encoder.encode(frame, out);
+  const SampleFrame frame{2, {}, {{CellId(1), {0, 0.5, -1}, {0.25, 0.5, 0}, 12}}, {{CellId(1), 36.5}}};
+  const std::vector<Samples> out = encoded(frame);
   ASSERT_EQ(out.size(), 2U);
-  const SampleFrame means = decoded(out[0]);
-  ASSERT_EQ(means.means.size(), 1U);
-  EXPECT_EQ(means.means[0].mean_g, Eigen::Vector3d(0, 0.5, -1));
-  EXPECT_EQ(means.means[0].variance_g2, Eigen::Vector3d(0.25, 0.5, 0));
-  EXPECT_EQ(means.means[0].count, 12U);
-  const SampleFrame temperatures = decoded(out[1]);
-  ASSERT_EQ(temperatures.temperatures.size(), 1U);
-  EXPECT_EQ(temperatures.temperatures[0].temperature_c, 36.5);
-  EXPECT_TRUE(temperatures.samples.empty() && temperatures.means.empty());
+  test::expectSameFrame(decoded(out[0]), {2, {}, frame.means});
+  test::expectSameFrame(decoded(out[1]), {2, {}, {}, frame.temperatures});
 }
 
 TEST(SampleMessages, EveryMessageFitsItsLimitAndIsWellUsed) {
@@ -133,18 +119,16 @@ TEST(JointsEncoder, SaysTheNamesOnceAndWhenTheyChange) {
 }
 
 TEST(SampleMessages, NumbersThatAreNotFiniteAreLeftOutAndBadTimesRefused) {
-  SampleFrame frame;
-  frame.samples = {{CellId(1), {0, 0, std::nan("")}}, {CellId(2), {0, 0, 1e300}}, {CellId(3), {0, 0, 0.5}}};
-  frame.temperatures = {{CellId(1), std::nan("")}};
-  SampleEncoder encoder(kLsb_g);
-  std::vector<Samples> out;
-  encoder.encode(frame, out);
+  const std::vector<Samples> out =
+      encoded({0,
+               {{CellId(1), {0, 0, std::nan("")}}, {CellId(2), {0, 0, 1e300}}, {CellId(3), {0, 0, 0.5}}},
+               {},
+               {{CellId(1), std::nan("")}}});
   ASSERT_EQ(out.size(), 1U);
   EXPECT_EQ(out[0].cells, std::vector<std::uint32_t>{3});
-  frame.time_s = -1;
-  EXPECT_THROW(encoder.encode(frame, out), InvalidArgument);
-  frame.time_s = std::nan("");
-  EXPECT_THROW(encoder.encode(frame, out), InvalidArgument);
+  for (const double time_s : {-1.0, std::nan("")}) {
+    EXPECT_THROW(encoded({time_s, {{CellId(3), {0, 0, 0.5}}}}), InvalidArgument);
+  }
 }
 
 }  // namespace

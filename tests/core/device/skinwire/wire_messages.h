@@ -6,6 +6,9 @@
 #include "hexoderm/device/skinwire/crc32c.h"
 
 #include <cstdint>
+#include <initializer_list>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace hexoderm::skinwire {
@@ -18,7 +21,22 @@ inline Bytes bodyOf(std::uint8_t type, Bytes payload, std::uint8_t major = kMajo
   return payload;
 }
 
+/// One piece after the other.
+inline Bytes joined(std::initializer_list<Bytes> pieces) {
+  Bytes bytes;
+  for (const Bytes& piece : pieces) bytes.insert(bytes.end(), piece.begin(), piece.end());
+  return bytes;
+}
+
 inline Hello helloMessage() { return {kMinor, "two cells", "hex-bma150", true, true, 1000, 7}; }
+
+/// The same with another value of a field.
+template <class Value>
+Hello helloWith(Value Hello::*field, std::type_identity_t<Value> value) {
+  Hello hello = helloMessage();
+  hello.*field = std::move(value);
+  return hello;
+}
 
 inline Topology topologyMessage() {
   return {3,

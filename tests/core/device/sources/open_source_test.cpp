@@ -1,15 +1,9 @@
 #include "hexoderm/device/sources/open_source.h"
 
-#include "hexoderm/base/error.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
 
 TEST(OpenSkinSource, KnowsEveryKindOfAddress) {
   for (const char* address : {"tcp://localhost:7700", "tcp://[::1]:7700", "udp://192.168.0.7:1", "serial:/dev/ttyUSB0",

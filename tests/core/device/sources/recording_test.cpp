@@ -1,26 +1,22 @@
 #include "hexoderm/device/sources/recording.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/sample_matchers.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <chrono>
-#include <filesystem>
-#include <limits>
 #include <thread>
 
 namespace hexoderm {
 namespace {
 
-using testing::HasSubstr;
+using ::testing::_;
+using ::testing::FieldsAre;
 
 constexpr double kLsb_g = 0.00390625;
 
@@ -30,10 +26,8 @@ SkinDescription twoCells() {
 }
 
 SampleFrame frameAt(double time_s) {
-  SampleFrame frame;
-  frame.time_s = time_s;
-  frame.samples = {{CellId(1), Eigen::Vector3d(1, -2, 256) * kLsb_g}, {CellId(2), Eigen::Vector3d(0, 5, 250) * kLsb_g}};
-  return frame;
+  return {time_s,
+          {{CellId(1), Eigen::Vector3d(1, -2, 256) * kLsb_g}, {CellId(2), Eigen::Vector3d(0, 5, 250) * kLsb_g}}};
 }
 
 /// Ten frames, 1 ms apart.
@@ -125,11 +119,7 @@ TEST_F(Recording, TellsWhatTheDeviceSaidAndWhatWasLostOnTheWay) {
 
   const auto delivered = play(path_, kAtOnce);
   EXPECT_EQ(delivered.frames.size(), 3U);
-  ASSERT_EQ(delivered.device_statuses.size(), 2U);
-  EXPECT_EQ(delivered.device_statuses[0].text, "warm ");
-  EXPECT_TRUE(delivered.device_statuses[0].exploring);
-  EXPECT_EQ(delivered.device_statuses[1].samples_sent, 4U);
-  EXPECT_EQ(delivered.device_statuses[1].samples_dropped, 6U);
+  EXPECT_THAT(delivered.device_statuses, ElementsAre(FieldsAre("warm ", true, _, _), FieldsAre(_, _, 4U, 6U)));
   EXPECT_TRUE(delivered.saw(SourceState::Streaming, "the device said: warm"));
   EXPECT_EQ(delivered.status().dropped_by_device, 6U);
   EXPECT_EQ(delivered.status().lost_samples, 6U);
@@ -293,8 +283,8 @@ TEST_F(Recording, EndsWhereItsFileIsMovedOrRemovedButListeningGoesOn) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
     recorder.onFrame(frameAt(2));
     EXPECT_THAT(recorder.error().english(),
-                testing::AllOf(HasSubstr("a.skinrec: the recording ended: it was "),
-                               HasSubstr(is_moved ? "moved to " + elsewhere.string() : "removed while")));
+                AllOf(HasSubstr("a.skinrec: the recording ended: it was "),
+                      HasSubstr(is_moved ? "moved to " + elsewhere.string() : "removed while")));
     recorder.onFrame(frameAt(3));
     EXPECT_EQ(listener.delivered().frames.size(), 3U);
     EXPECT_THROW(recorder.finish(), StorageError);

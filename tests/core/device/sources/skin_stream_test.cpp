@@ -2,16 +2,13 @@
 
 #include "tests/core/device/skinwire/collecting_listener.h"
 #include "tests/core/device/skinwire/wire_messages.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
+#include "tests/support/options.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using skinwire::Samples;
-using testing::HasSubstr;
 using Effect = SkinStream::Effect;
 
 class SkinStreamTest : public testing::Test {
@@ -61,9 +58,7 @@ TEST_F(SkinStreamTest, DescribesBeforeItDelivers) {
 }
 
 TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed) {
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.cell_model = R"({"name": "odd", "side_m": -1})";
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::cell_model, R"({"name": "odd", "side_m": -1})"));
   take(skinwire::topologyMessage());
   EXPECT_FALSE(stream.isDescribed());
   EXPECT_THAT(stream.whatIsMissing().english(), HasSubstr("side_m"));
@@ -105,9 +100,7 @@ TEST_F(SkinStreamTest, DuplicatesAreFoundWithoutNumbersToo) {
 TEST_F(SkinStreamTest, ANewStreamOrConnectionStartsTimeAndNumbersAnew) {
   describe();
   take(oneSample(1, 1'000'000, 5000));
-  skinwire::Hello hello = skinwire::helloMessage();
-  ++hello.stream;
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::stream, skinwire::helloMessage().stream + 1));
   EXPECT_EQ(take(oneSample(1, 1000, 0)), Effect::Alive);
   stream.restart();
   describe();
@@ -203,14 +196,17 @@ TEST_F(SkinStreamTest, WhileChangesWaitTheStatusSaysSo) {
   EXPECT_EQ(listener.delivered().skins.size(), before);
 }
 
+/// Of cells that state this size of a step.
+skinwire::Hello helloOfLsb(double lsb_g) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.lsb_g = lsb_g;
+  return skinwire::helloWith(&skinwire::Hello::cell_model, cellModelToJson(model));
+}
+
 TEST_F(SkinStreamTest, SamplesAreNeverReadByTheModelThatWasBefore) {
   describe();
   for (std::uint32_t k = 1; k <= 5; ++k) {
-    CellModel model = builtInCellModel("hex-bma150");
-    model.accelerometer.lsb_g = k;
-    skinwire::Hello hello = skinwire::helloMessage();
-    hello.cell_model = cellModelToJson(model);
-    take(hello);
+    take(helloOfLsb(k));
     take(oneSample(1, 1000 * k));
   }
   // The fifth change waits, and so do samples until it is passed on.
@@ -268,9 +264,7 @@ TEST_F(SkinStreamTest, TheRateIsJudgedInWhateverOrderCellsComeIfNoneIsLost) {
 
 TEST_F(SkinStreamTest, ACellTwiceInAMessageIsRefused) {
   describe();
-  Samples samples = skinwire::rawSamples(0, 1000);
-  samples.cells = {1, 1};
-  EXPECT_EQ(take(samples), Effect::Nothing);
+  EXPECT_EQ(take(test::with(skinwire::rawSamples(0, 1000), &Samples::cells, {1, 1})), Effect::Nothing);
   // Nothing remembered of the refused message may be used for one without cells.
   const Samples temperature{.time_us = 2000, .temperature_cells = {1}, .temperature_c = {20}};
   EXPECT_EQ(take(temperature), Effect::Alive);
@@ -291,11 +285,7 @@ TEST_F(SkinStreamTest, TheSameCellsAreLookedUpAgainAfterATopologyChanged) {
 }
 
 TEST_F(SkinStreamTest, LsbWithoutAScaleAreRefused) {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.lsb_g = 0;
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.cell_model = cellModelToJson(model);
-  take(hello);
+  take(helloOfLsb(0));
   take(skinwire::topologyMessage());
   EXPECT_EQ(take(skinwire::rawSamples(0, 1000)), Effect::Nothing);
   EXPECT_THAT(stream.lastRejection().english(), HasSubstr("lsb_g"));
@@ -354,9 +344,7 @@ TEST_F(SkinStreamTest, ProtocolViolationsAreToldOnceAtOnceAndThenCounted) {
 
 TEST_F(SkinStreamTest, ANewerDeviceMaySayWhatIsNotKnownYet) {
   const char* later = R"({"later_message": {}})";
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.minor = skinwire::kMinor + 1;
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::minor, skinwire::kMinor + 1));
   take(skinwire::decodeLine(later));
   EXPECT_THAT(status().offences, testing::IsEmpty());
   take(skinwire::helloMessage());
@@ -383,9 +371,7 @@ TEST_F(SkinStreamTest, ADeviceThatNeverDescribesItselfIsNamed) {
 }
 
 TEST_F(SkinStreamTest, WhatADeviceSaysCantMoveATerminalsCursor) {
-  skinwire::Hello hello = skinwire::helloMessage();
-  hello.device = "red\x1b[31m";
-  take(hello);
+  take(skinwire::helloWith(&skinwire::Hello::device, "red\x1b[31m"));
   take(skinwire::topologyMessage());
   EXPECT_EQ(listener.delivered().skins[0].device.english(), "red [31m");
 }

@@ -4,13 +4,9 @@
 
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/core/device/skinwire/collecting_listener.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <string>
 
 namespace hexoderm {
 

@@ -2,22 +2,15 @@
 
 #include "tests/core/device/sources/wire_source_fixture.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <chrono>
-#include <cstdint>
-#include <optional>
 
 namespace hexoderm::wire_source_test {
 namespace {
 
-using testing::HasSubstr;
-
 TEST(WireSource, CommandsAreAnsweredByNumberInTheDevicesDialect) {
   for (const Framing framing : {Framing::Length, Framing::Lines}) {
     auto [device, listener, source] = started<TcpDevice>();
-    DeviceConnection connection = device.accept(framing);
-    describe(connection);
+    DeviceConnection connection = described(device, framing);
     ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
 
     const std::uint32_t led = source->send(SetLed{CellId(7), 255, 0, 16});
@@ -79,8 +72,7 @@ TEST(WireSource, ADeviceThatSaysThatItIsAtItIsWaitedForLongerThanOneThatSaysNoth
   EXPECT_TRUE(passesWithPatience([](WireOptions options) {
     options.silent_after = options.reconnect_after = test::kForever;
     auto [device, listener, source] = started<TcpDevice>(options);
-    DeviceConnection connection = device.accept();
-    describe(connection);
+    DeviceConnection connection = described(device);
     EXPECT_TRUE(listener.waitFor(state(SourceState::Streaming)));
     const std::uint32_t slow = source->send(ExploreAgain{});
     const std::uint32_t unanswered = source->send(SetRate{100});

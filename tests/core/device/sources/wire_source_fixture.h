@@ -62,6 +62,11 @@ void describe(Device& device) {
   device.send(skinwire::topologyMessage());
 }
 
+inline DeviceConnection described(TcpDevice& device, Framing framing = Framing::Length) {
+  DeviceConnection connection = device.accept(framing);
+  describe(connection);
+  return connection;
+}
 /// As a device does on a wire on which nobody connects.
 template <class Device>
 void describeWhenAsked(Device& device) {

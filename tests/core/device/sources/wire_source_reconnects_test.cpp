@@ -1,15 +1,9 @@
 // Wires that are lost, silent or not there: when it is said, and when the connection is made anew.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
+#include "tests/support/options.h"
 
-#include <gtest/gtest.h>
 #include <chrono>
-#include <cstddef>
-#include <filesystem>
-#include <iterator>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace hexoderm::wire_source_test {
 namespace {
@@ -38,12 +32,10 @@ TEST(WireSource, ConnectsAgainWhenTheCableWasPulled) {
 
 TEST(WireSource, SilenceIsSaidAndThenTheConnectionIsMadeAnew) {
   auto [device, listener, source] = started<TcpDevice>(quick());
-  DeviceConnection silent = device.accept();
-  describe(silent);
+  DeviceConnection silent = described(device);
   ASSERT_TRUE(listener.waitFor(state(SourceState::Streaming)));
   ASSERT_TRUE(listener.waitFor(status(SourceState::Silent, "nothing came")));
-  DeviceConnection connection = device.accept();
-  describe(connection);
+  DeviceConnection connection = described(device);
   connection.send(skinwire::rawSamples(0, 1000));
   EXPECT_TRUE(listener.waitFor(frames(2)));
   EXPECT_TRUE(listener.delivered().saw(SourceState::Connecting, "nothing came for"));
@@ -52,8 +44,7 @@ TEST(WireSource, SilenceIsSaidAndThenTheConnectionIsMadeAnew) {
 TEST(WireSource, AStatusNowAndThenIsNoSilence) {
   EXPECT_TRUE(passesWithPatience([](const WireOptions& options) {
     auto [device, listener, source] = started<TcpDevice>(options);
-    DeviceConnection connection = device.accept();
-    describe(connection);
+    DeviceConnection connection = described(device);
     // Longer than the time after which the connection would be made again.
     const auto end = std::chrono::steady_clock::now() + 2 * options.reconnect_after;
     while (std::chrono::steady_clock::now() < end) {
@@ -91,11 +82,9 @@ TEST(WireSource, CountsTheSecondsToTheNextTryDown) {
 }
 
 TEST(WireSource, CountsTheSecondsOfSilenceDownToTheNextConnection) {
-  WireOptions options = quick();
-  options.reconnect_after = std::chrono::seconds(3);
-  auto [device, listener, source] = started<TcpDevice>(options);
-  DeviceConnection silent = device.accept();
-  describe(silent);
+  auto [device, listener, source] =
+      started<TcpDevice>(test::with(quick(), &WireOptions::reconnect_after, std::chrono::seconds(3)));
+  DeviceConnection silent = described(device);
   for (const char* left : {"3 s", "2 s", "1 s"}) {
     ASSERT_TRUE(listener.waitFor(status(SourceState::Silent, std::string("reconnecting in ") + left))) << left;
   }
@@ -107,13 +96,11 @@ std::size_t openDescriptors() {
 }
 
 TEST(WireSource, AThousandReconnectsLeaveNothingOpen) {
-  WireOptions options = patient();
-  options.first_retry = milliseconds(1);
-  auto [device, listener, source] = started<TcpDevice>(options);
+  auto [device, listener, source] =
+      started<TcpDevice>(test::with(patient(), &WireOptions::first_retry, milliseconds(1)));
   std::size_t after_ten = 0;
   for (int k = 0; k < 1000; ++k) {
-    DeviceConnection connection = device.accept();
-    describe(connection);
+    DeviceConnection connection = described(device);
     connection.send(skinwire::rawSamples(0, 1000));
     ASSERT_TRUE(listener.waitFor(frames(2 * static_cast<std::size_t>(k + 1))));
     if (k == 10) after_ten = openDescriptors();

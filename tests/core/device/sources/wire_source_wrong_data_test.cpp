@@ -1,11 +1,7 @@
 // Data that is cut off, broken, lost, of another version or at another baud rate.
 
 #include "tests/core/device/sources/wire_source_fixture.h"
-
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <string>
-#include <utility>
+#include "tests/support/options.h"
 
 namespace hexoderm::wire_source_test {
 namespace {
@@ -18,13 +14,11 @@ TEST(WireSource, BrokenDataOnTcpIsNamedAndTheConnectionMadeAnew) {
   for (const auto& [bytes, why] : cases) {
     auto [device, listener, source] = started<TcpDevice>();
     {
-      DeviceConnection connection = device.accept();
-      describe(connection);
+      DeviceConnection connection = described(device);
       connection.sendBytes(bytes);
       ASSERT_TRUE(listener.waitFor(status(SourceState::Connecting, why)));
     }
-    DeviceConnection connection = device.accept();
-    describe(connection);
+    DeviceConnection connection = described(device);
     connection.send(skinwire::rawSamples(0, 1000));
     ASSERT_TRUE(listener.waitFor(frames(2)));
     EXPECT_EQ(listener.delivered().frames.size(), 2U);
@@ -79,8 +73,7 @@ bool saysViolation(CollectingListener& listener, ProtocolViolationKind kind, con
 }
 
 TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
-  WireOptions options = quick();
-  options.reconnect_after = test::kForever;
+  const WireOptions options = test::with(quick(), &WireOptions::reconnect_after, test::kForever);
   const skinwire::Bytes broken = {9, 17, 3, 200, 200, 0};
   const skinwire::Bytes framing_errors(30, 0);
   for (const skinwire::Bytes& bytes : {broken, framing_errors}) {
@@ -94,9 +87,8 @@ TEST(WireSource, BrokenBytesAloneOnASerialPortPutTheBaudRateInDoubt) {
 }
 
 TEST(WireSource, ASerialDeviceThatDoesNotHearIsAskedForItsRx) {
-  WireOptions options = patient();
-  options.describe_every = milliseconds(50);
-  auto [device, listener, source] = started<SerialDevice>(options);
+  auto [device, listener, source] =
+      started<SerialDevice>(test::with(patient(), &WireOptions::describe_every, milliseconds(50)));
   device.receive();
   device.send(skinwire::rawSamples(0, 1000));
   EXPECT_TRUE(saysViolation(listener, ProtocolViolationKind::NotDescribed, "did not answer Describe"));

@@ -1,6 +1,6 @@
 #include "hexoderm/device/sources/write_queue.h"
 
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/local/connect_pair.hpp>

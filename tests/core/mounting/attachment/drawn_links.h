@@ -13,32 +13,25 @@ namespace hexoderm {
 /// Six joints that turn: the first upright, and each at right angles to the one before. On l4 and l6 there is more: a
 /// link that is fixed, and one that slides.
 inline std::string armUrdf() {
-  return R"(<robot name="arm">
-  <link name="base"/>
-  <joint name="j1" type="continuous"><parent link="base"/><child link="l1"/><origin xyz="0 0 0.3"/><axis xyz="0 0 1"/></joint>
-  <link name="l1"/>
-  <joint name="j2" type="revolute"><parent link="l1"/><child link="l2"/><origin xyz="0 0 0.1" rpy="0.3 0 0.4"/><axis xyz="0 1 0"/>
-    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
-  <link name="l2"/>
-  <joint name="j3" type="revolute"><parent link="l2"/><child link="l3"/><origin xyz="0.1 0 0.2"/><axis xyz="0 0 1"/>
-    <limit lower="-2.5" upper="2.5" effort="1" velocity="1"/></joint>
-  <link name="l3"/>
-  <joint name="j4" type="revolute"><parent link="l3"/><child link="l4"/><origin xyz="0 0 0.2" rpy="0 0.2 0"/><axis xyz="1 0 0"/>
-    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
-  <link name="l4"/>
-  <joint name="cover" type="fixed"><parent link="l4"/><child link="l4_cover"/><origin xyz="0 0.05 0" rpy="0.5 0.6 0.7"/></joint>
-  <link name="l4_cover"/>
-  <joint name="j5" type="revolute"><parent link="l4"/><child link="l5"/><origin xyz="0 0 0.2"/><axis xyz="0 0 1"/>
-    <limit lower="-2.5" upper="2.5" effort="1" velocity="1"/></joint>
-  <link name="l5"/>
-  <joint name="j6" type="revolute"><parent link="l5"/><child link="l6"/><origin xyz="0 0 0.1"/><axis xyz="0 1 0"/>
-    <limit lower="-2" upper="2" effort="1" velocity="1"/></joint>
-  <link name="l6"/>
-  <joint name="slide" type="prismatic"><parent link="l6"/><child link="finger"/><axis xyz="0 0 1"/>
-    <limit lower="0" upper="0.1" effort="1" velocity="1"/></joint>
-  <link name="finger"/>
-</robot>
-)";
+  std::string urdf = "<robot name=\"arm\">\n<link name=\"base\"/>\n";
+  const auto add = [&urdf](const std::string& joint, const std::string& type, const std::string& parent,
+                           const std::string& child, const std::string& rest) {
+    urdf += "<joint name=\"" + joint + "\" type=\"" + type + "\"><parent link=\"" + parent + "\"/><child link=\"" +
+            child + "\"/>" + rest + "</joint>\n<link name=\"" + child + "\"/>\n";
+  };
+  const auto limits = [](const std::string& lower, const std::string& upper) {
+    return "<limit lower=\"" + lower + "\" upper=\"" + upper + R"(" effort="1" velocity="1"/>)";
+  };
+  add("j1", "continuous", "base", "l1", R"(<origin xyz="0 0 0.3"/><axis xyz="0 0 1"/>)");
+  add("j2", "revolute", "l1", "l2",
+      R"(<origin xyz="0 0 0.1" rpy="0.3 0 0.4"/><axis xyz="0 1 0"/>)" + limits("-2", "2"));
+  add("j3", "revolute", "l2", "l3", R"(<origin xyz="0.1 0 0.2"/><axis xyz="0 0 1"/>)" + limits("-2.5", "2.5"));
+  add("j4", "revolute", "l3", "l4", R"(<origin xyz="0 0 0.2" rpy="0 0.2 0"/><axis xyz="1 0 0"/>)" + limits("-2", "2"));
+  add("cover", "fixed", "l4", "l4_cover", R"(<origin xyz="0 0.05 0" rpy="0.5 0.6 0.7"/>)");
+  add("j5", "revolute", "l4", "l5", R"(<origin xyz="0 0 0.2"/><axis xyz="0 0 1"/>)" + limits("-2.5", "2.5"));
+  add("j6", "revolute", "l5", "l6", R"(<origin xyz="0 0 0.1"/><axis xyz="0 1 0"/>)" + limits("-2", "2"));
+  add("slide", "prismatic", "l6", "finger", R"(<axis xyz="0 0 1"/>)" + limits("0", "0.1"));
+  return urdf + "</robot>\n";
 }
 
 /// The covariance of a GravitySeen, as the solver's factor would give it.

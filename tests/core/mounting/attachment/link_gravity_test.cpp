@@ -2,8 +2,6 @@
 
 #include "tests/core/mounting/attachment/drawn_links.h"
 
-#include <gtest/gtest.h>
-
 namespace hexoderm {
 namespace {
 

@@ -9,21 +9,15 @@ int main(int argc, char** argv) {
   using namespace hexoderm;
   const int seeds = argc > 1 ? std::atoi(argv[1]) : 100;
   const double lever_m = argc > 2 ? std::atof(argv[2]) : LinksOptions().lever_m;
-  struct Case {
-    const char* name;
-    std::size_t poses;
-    bool motors;
-    double zero_sigma_deg;
-  };
-  for (const Case& c : {Case{"still, 4 poses", 4, false, 0.5}, Case{"still, 8 poses", 8, false, 0.5},
-                        Case{"motors, 4 poses", 4, true, 0.5}, Case{"motors, 8 poses", 8, true, 0.5},
-                        Case{"still, 8 poses, zeros of 2 degrees", 8, false, 2},
-                        Case{"motors, 8 poses, zeros of 2 degrees", 8, true, 2}}) {
-    SimulatedLinksOptions options;
-    options.poses = c.poses;
-    options.motors = c.motors;
-    options.zero_sigma_rad = c.zero_sigma_deg * kDegree;
+  std::pair<const char*, SimulatedLinksOptions> cases[] = {
+      {"still, 4 poses", {.poses = 4}},
+      {"still, 8 poses", {.poses = 8}},
+      {"motors, 4 poses", {.poses = 4, .motors = true}},
+      {"motors, 8 poses", {.poses = 8, .motors = true}},
+      {"still, 8 poses, zeros of 2 degrees", {.poses = 8, .zero_sigma_rad = 2 * kDegree}},
+      {"motors, 8 poses, zeros of 2 degrees", {.poses = 8, .motors = true, .zero_sigma_rad = 2 * kDegree}}};
+  for (auto& [name, options] : cases) {
     options.find.lever_m = lever_m;
-    std::cout << c.name << ": " << inWords(tallySimulatedLinks(options, seeds)) << std::endl;
+    std::cout << name << ": " << inWords(tallySimulatedLinks(options, seeds)) << std::endl;
   }
 }

@@ -6,13 +6,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/attachment/links.h"
 #include "tests/core/mounting/parts/gravity_draw.h"
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 

@@ -1,37 +1,21 @@
 #include "hexoderm/mounting/attachment/links.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/mounting/attachment/drawn_links.h"
 #include "tests/core/mounting/attachment/simulated_links.h"
-#include "tests/support/error_matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <regex>
-#include <tuple>
 
 namespace hexoderm {
 namespace {
 
-using test::messageOf;
-using ::testing::Contains;
-using ::testing::HasSubstr;
-
-std::vector<std::string> namesOf(const LinkCandidate& candidate) {
-  std::vector<std::string> names;
-  for (const PatchTurn& turn : candidate.links) names.push_back(turn.link);
-  return names;
+std::vector<std::string> namesOf(const LinkCandidate& candidate) { return collect(candidate.links, &PatchTurn::link); }
+/// The operator says which link a patch is on.
+LinksOptions chosen(CellId origin, const std::string& link) {
+  return test::with(withoutLever(), &LinksOptions::chosen, {{origin, link}});
 }
-std::vector<std::string> findingsOf(const LinksResult& result) {
-  std::vector<std::string> texts;
-  for (const Message& finding : result.findings) texts.push_back(finding.english());
-  return texts;
-}
+std::vector<std::string> findingsOf(const LinksResult& result) { return collect(result.findings, &Message::english); }
 TEST(Links, WithoutErrorsAreExact) {
   const DrawnArmOptions options{
       .links = {"l3", "l6", "l4_cover"}, .error_scale = 0, .zero_sigma_rad = 0, .tilt_sigma_rad = 0};
@@ -108,8 +92,7 @@ TEST(Links, ALargeZeroIsSaid) {
   ASSERT_NE(zero, result.robot->zeros.end());
   EXPECT_TRUE(zero->shown);
   EXPECT_NEAR(zero->zero_rad, 3 * kDegree, 3 * zero->sigma_rad);
-  LinksOptions exact = withoutLever();
-  exact.joint_zeros = false;
+  const LinksOptions exact = test::with(withoutLever(), &LinksOptions::joint_zeros, false);
   for (const JointZero& none : arm.find(exact).robot.value_or(RobotEstimate()).zeros) EXPECT_EQ(none.zero_rad, 0);
 }
 
@@ -129,8 +112,7 @@ TEST(Links, OnePoseFitsAnyLink) {
 TEST(Links, WithAJointBetweenThatNeverMovedAreOneCandidate) {
   DrawnArm still(DrawnArmOptions{.links = {"l5"}, .poses = 8});
   for (auto& [pose, angles] : still.angles) angles.positions["j6"] = 0.4;
-  LinksOptions find = withoutLever();
-  const LinksResult result = still.find(find);
+  const LinksResult result = still.find();
   const PatchLinks& patch = result.patches.front();
   ASSERT_EQ(patch.candidates.size(), 1U) << patch.why;
   EXPECT_THAT(namesOf(patch.candidates.front()), ::testing::ElementsAre("l5", "l6", "finger"));
@@ -138,9 +120,7 @@ TEST(Links, WithAJointBetweenThatNeverMovedAreOneCandidate) {
   EXPECT_THAT(patch.why.english(), HasSubstr("which these poses can't tell apart: l5, l6 and finger"));
   EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("from pose to pose, with their axes level: j6"));
 
-  LinksOptions picked = find;
-  picked.chosen[result.patches.front().origin] = "l6";
-  const LinksResult placed = still.find(picked);
+  const LinksResult placed = still.find(chosen(patch.origin, "l6"));
   ASSERT_TRUE(placed.patches.front().placed.has_value());
   EXPECT_EQ(placed.patches.front().placed->link, "l6");
   EXPECT_TRUE(placed.patches.front().chosen);
@@ -156,9 +136,7 @@ TEST(Links, OnTheBaseTheTurnAboutTheVerticalStaysOpen) {
   EXPECT_LT(angleBetween(patch.open_axis_l->cwiseAbs(), Eigen::Vector3d::UnitZ()), 5 * kDegree);
   EXPECT_THAT(patch.why.english(), HasSubstr("about one axis is not determined"));
   EXPECT_THAT(patch.what_would_tell.english(), HasSubstr("with their axes level: j1"));
-  LinksOptions put = withoutLever();
-  put.chosen[patch.origin] = "base";
-  EXPECT_THAT(DrawnArm(options).find(put).patches.front().what_would_tell.english(),
+  EXPECT_THAT(DrawnArm(options).find(chosen(patch.origin, "base")).patches.front().what_would_tell.english(),
               HasSubstr("No joint moves link base"));
 }
 
@@ -202,9 +180,7 @@ TEST(Links, APatchOnNoLinkIsOnNone) {
   EXPECT_THAT(findingsOf(result), Contains(lost.why.english()));
   EXPECT_EQ(result.robot->patches.size(), 1U);
 
-  LinksOptions by_hand = withoutLever();
-  by_hand.chosen[lost.origin] = "l5";
-  const LinksResult forced = arm.find(by_hand);
+  const LinksResult forced = arm.find(chosen(lost.origin, "l5"));
   ASSERT_TRUE(forced.patches[1].placed.has_value()) << "the operator's word counts";
   EXPECT_THAT(findingsOf(forced), Contains(HasSubstr("was put on link l5, which doesn't fit")));
 }
@@ -265,8 +241,7 @@ TEST(Links, APoseWithTheAnglesOfAnotherOneIsNamed) {
 TEST(Links, ABaseThatHangsOrMovedIsSaid) {
   const DrawnArmOptions options{.poses = 8};
   const DrawnArm arm(options);
-  LinksOptions hanging = withoutLever();
-  hanging.up_w = -Eigen::Vector3d::UnitZ();
+  const LinksOptions hanging = test::with(withoutLever(), &LinksOptions::up_w, -Eigen::Vector3d::UnitZ());
   EXPECT_THAT(findingsOf(arm.find(hanging)), Contains(HasSubstr("the patches fit with +z of its frame upwards")));
 
   DrawnArm moved(options);
@@ -308,24 +283,20 @@ TEST(Links, PosesAndLinksWithoutAnglesAreLeftOut) {
 
 TEST(Links, BadInputIsRefusedText) {
   const DrawnArm arm(DrawnArmOptions{});
-  LinksOptions options;
-  options.chosen[CellId(100)] = "l33";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.find(options)); }), HasSubstr("l33"));
-  options.chosen.clear();
-  options.chosen[CellId(7)] = "l3";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.find(options)); }), HasSubstr("no cell 7"));
+  for (const auto& [cell, link, says] : {std::tuple(100U, "l33", "l33"), std::tuple(7U, "l3", "no cell 7")}) {
+    const LinksOptions options = chosen(CellId(cell), link);
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(arm.find(options)); }), HasSubstr(says));
+  }
 
   DrawnArm filed(DrawnArmOptions{});
   for (PatchReconstruction& patch : filed.reconstruction.patches) patch.gravity_covariance = nullptr;
   EXPECT_THAT(messageOf<InvalidArgument>([&] { static_cast<void>(filed.find()); }), HasSubstr("just solved"));
 
-  for (const auto& spoil : std::vector<std::function<void(LinksOptions&)>>{
-           [](LinksOptions& o) { o.up_w.setZero(); }, [](LinksOptions& o) { o.false_alarm = 0; },
-           [](LinksOptions& o) { o.zero_sigma_rad = -1; }, [](LinksOptions& o) { o.tilt_sigma_rad = -1; },
-           [](LinksOptions& o) { o.lever_m = -1; }, [](LinksOptions& o) { o.test_lever_m = -1; },
-           [](LinksOptions& o) { o.most_poses = 1; }}) {
-    LinksOptions spoiled;
-    spoil(spoiled);
+  for (const LinksOptions& spoiled :
+       {test::with(&LinksOptions::up_w, {0, 0, 0}), test::with(&LinksOptions::false_alarm, 0),
+        test::with(&LinksOptions::zero_sigma_rad, -1), test::with(&LinksOptions::tilt_sigma_rad, -1),
+        test::with(&LinksOptions::lever_m, -1), test::with(&LinksOptions::test_lever_m, -1),
+        test::with(&LinksOptions::most_poses, 1)}) {
     EXPECT_THROW(spoiled.validate(), InvalidArgument);
   }
 }
@@ -384,9 +355,8 @@ TEST(Links, DoNotDependOnNamesAndOrderOfTheFile) {
 // A robot that hangs from the ceiling.
 TEST(Links, TheBaseMayStandOtherwise) {
   const DrawnArm arm(DrawnArmOptions{});
-  std::string hung = armUrdf();
-  const std::string first = "<origin xyz=\"0 0 0.3\"/>";
-  hung.replace(hung.find(first), first.size(), "<origin xyz=\"0 0 0.3\" rpy=\"3.141592653589793 0 0\"/>");
+  const std::string hung =
+      replaced(armUrdf(), R"(<origin xyz="0 0 0.3"/>)", R"(<origin xyz="0 0 0.3" rpy="3.141592653589793 0 0"/>)");
   LinksOptions find = withoutLever();
   const LinksResult standing = arm.find(find);
   find.up_w = -2 * Eigen::Vector3d::UnitZ();
@@ -401,26 +371,19 @@ constexpr int kSimulatedRobots = test::kSlowBuild ? 1 : 20;
 // Sensors of 60 mg, joints off by 0.5 degrees and a base tilted by 1 degree (1 sigma each), three
 // patches.
 TEST(LinksOnSimulatedRobot, AreRightAndStateHowWellTheyKnow) {
-  struct Case {
-    std::string name;
-    std::size_t poses;
-    bool motors;
-  };
-  for (const Case& c :
-       {Case{"still, 4 poses", 4, false}, Case{"still, 8 poses", 8, false}, Case{"motors, 8 poses", 8, true}}) {
-    SimulatedLinksOptions options;
-    options.poses = c.poses;
-    options.motors = c.motors;
+  const std::pair<std::string, SimulatedLinksOptions> cases[] = {
+      {"still, 4 poses", {.poses = 4}}, {"still, 8 poses", {.poses = 8}}, {"motors, 8 poses", {.motors = true}}};
+  for (const auto& [name, options] : cases) {
     const LinksTally tally = tallySimulatedLinks(options, kSimulatedRobots);
-    RecordProperty(c.name, inWords(tally));
-    EXPECT_EQ(tally.wrong, 0) << c.name;
-    EXPECT_LE(tally.none, 0.01 * tally.patches) << c.name;
+    RecordProperty(name, inWords(tally));
+    EXPECT_EQ(tally.wrong, 0) << name;
+    EXPECT_LE(tally.none, 0.01 * tally.patches) << name;
     if (test::kSlowBuild) continue;
-    EXPECT_GT(meanOf(tally.turn_nees), 0.7) << c.name;
-    EXPECT_LT(meanOf(tally.turn_nees), 1.5) << c.name;
-    EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << c.name;
-    EXPECT_LT(meanOf(tally.zero_nees), 1.8) << c.name;
-    EXPECT_LT(meanOf(tally.tilt_nees), 1.8) << c.name;
+    EXPECT_GT(meanOf(tally.turn_nees), 0.7) << name;
+    EXPECT_LT(meanOf(tally.turn_nees), 1.5) << name;
+    EXPECT_LE(median(tally.errors_rad), 1.2 * median(tally.stated_rad)) << name;
+    EXPECT_LT(meanOf(tally.zero_nees), 1.8) << name;
+    EXPECT_LT(meanOf(tally.tilt_nees), 1.8) << name;
   }
 }
 

@@ -5,10 +5,7 @@
 
 #include "hexoderm/mounting/parts/gravity_seen.h"
 #include "tests/support/normal_draw.h"
-
-#include <Eigen/Dense>
-#include <cmath>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 
@@ -53,9 +50,7 @@ class GravityDraw : public test::NormalDraw {
 
 /// Directions as a body sees them that is turned by R against the frame in which they are given: x = R x_body.
 inline std::vector<Eigen::Vector3d> seenFrom(const Eigen::Matrix3d& R, const std::vector<Eigen::Vector3d>& up) {
-  std::vector<Eigen::Vector3d> result;
-  for (const Eigen::Vector3d& g : up) result.emplace_back(R.transpose() * g);
-  return result;
+  return collect(up, [&R](const Eigen::Vector3d& g) { return Eigen::Vector3d(R.transpose() * g); });
 }
 
 /// What a body sees, with the same covariances, in a frame that is turned: x_turned = Q x.

@@ -5,13 +5,7 @@
 #include "tests/core/mounting/parts/jointed_skins.h"
 #include "tests/support/slow_build.h"
 
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <array>
-#include <cmath>
 #include <numeric>
-#include <string>
 
 namespace hexoderm {
 namespace {
@@ -71,11 +65,8 @@ double neesOfGravity(const std::string& patch, std::size_t poses, int seeds) {
 // robot that holds quite still they are smaller than stated, because the solver takes readings for as good as a hand's
 // tremor leaves them (3 mg) and forces for 1 g to 10 mg.
 TEST(GravitySeen, ErrorsAreNoLargerThanStated) {
-  struct Case {
-    std::string patch;
-    std::size_t poses;
-  };
-  for (const auto& [patch, poses] : {Case{"x17", 4}, Case{"x17", 8}, Case{"sheet:3x3", 4}, Case{"sheet:1x1", 6}}) {
+  for (const auto& [patch, poses] :
+       {std::pair("x17", 4U), std::pair("x17", 8U), std::pair("sheet:3x3", 4U), std::pair("sheet:1x1", 6U)}) {
     const double nees = neesOfGravity(patch, poses, kSlowBuild ? 2 : 100);
     EXPECT_TRUE(std::isfinite(nees));
     if (kSlowBuild) continue;

@@ -1,8 +1,6 @@
 #include "hexoderm/mounting/parts/hand_share.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

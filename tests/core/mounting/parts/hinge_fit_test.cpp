@@ -2,12 +2,6 @@
 
 #include "tests/core/mounting/parts/gravity_draw.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <utility>
-#include <vector>
-
 namespace hexoderm {
 namespace {
 

@@ -9,13 +9,7 @@
 #include "tests/support/normal_draw.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/simulated_skins.h"
-
-#include <cmath>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 

@@ -2,11 +2,6 @@
 
 #include "tests/core/mounting/parts/gravity_draw.h"
 
-#include <gmock/gmock.h>
-
-#include <array>
-#include <cmath>
-
 namespace hexoderm {
 namespace {
 

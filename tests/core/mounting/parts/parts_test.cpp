@@ -1,21 +1,13 @@
 #include "hexoderm/mounting/parts/parts.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/median.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/core/mounting/parts/jointed_skins.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
-
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -69,31 +61,26 @@ void addTrial(const JointedSkinsOptions& options, std::size_t poses, Outcome& ou
 // Offsets of 60 mg, 100 readings a pose. In a hand that also turns the robot while it is read, with patches 0.2 m from
 // each other; and on a robot that holds still.
 TEST(Parts, FourPatchesOnTwoBodiesAreGrouped) {
-  struct Case {
-    std::string name;
-    bool hand_held;
-    std::size_t poses;
-  };
   const int seeds = kSlowBuild ? 2 : 100;
-  for (const Case& c : {Case{"hand, 4 poses", true, 4}, Case{"hand, 8 poses", true, 8},
-                        Case{"still, 4 poses", false, 4}, Case{"still, 8 poses", false, 8}}) {
-    JointedSkinsOptions options;
-    options.hand_held = c.hand_held;
+  for (const auto& [hand_held, poses] :
+       {std::pair(true, 4U), std::pair(true, 8U), std::pair(false, 4U), std::pair(false, 8U)}) {
+    SCOPED_TRACE((hand_held ? "hand, " : "still, ") + std::to_string(poses) + " poses");
+    JointedSkinsOptions options{.hand_held = hand_held};
     Outcome outcome;
     for (int seed = 1; seed <= seeds; ++seed) {
       options.seed = static_cast<std::uint64_t>(seed);
-      addTrial(options, c.poses, outcome);
+      addTrial(options, poses, outcome);
     }
-    EXPECT_EQ(outcome.wrong_together, 0) << c.name;
+    EXPECT_EQ(outcome.wrong_together, 0);
     if (kSlowBuild) continue;
-    EXPECT_GE(outcome.right, 0.99 * seeds) << c.name;
-    EXPECT_LE(median(outcome.errors_rad), 1.2 * median(outcome.stated_rad)) << c.name;
-    EXPECT_GE(meanOf(outcome.nees), 0.7) << c.name;
-    EXPECT_LE(meanOf(outcome.nees), 1.5) << c.name;
-    if (c.poses < 8) continue;
-    EXPECT_GE(outcome.hinges, 0.95 * seeds) << c.name;
-    EXPECT_LE(toDegrees(median(outcome.axis_errors_rad)), 1.0) << c.name;
-    EXPECT_LE(meanOf(outcome.axis_nees), 1.5) << c.name;
+    EXPECT_GE(outcome.right, 0.99 * seeds);
+    EXPECT_LE(median(outcome.errors_rad), 1.2 * median(outcome.stated_rad));
+    EXPECT_GE(meanOf(outcome.nees), 0.7);
+    EXPECT_LE(meanOf(outcome.nees), 1.5);
+    if (poses < 8) continue;
+    EXPECT_GE(outcome.hinges, 0.95 * seeds);
+    EXPECT_LE(toDegrees(median(outcome.axis_errors_rad)), 1.0);
+    EXPECT_LE(meanOf(outcome.axis_nees), 1.5);
   }
 }
 
@@ -176,11 +163,9 @@ TEST(Parts, NeedTheCovarianceOfGravity) {
 }
 
 TEST(Parts, OptionsAreChecked) {
-  for (const auto& spoil : std::vector<std::function<void(PartsOptions&)>>{
-           [](PartsOptions& o) { o.false_alarm = 0; }, [](PartsOptions& o) { o.most_poses = 1; },
-           [](PartsOptions& o) { o.lever_m = -1; }, [](PartsOptions& o) { o.least_odds = 0; }}) {
-    PartsOptions options;
-    spoil(options);
+  for (const PartsOptions& options :
+       {test::with(&PartsOptions::false_alarm, 0), test::with(&PartsOptions::most_poses, 1),
+        test::with(&PartsOptions::lever_m, -1), test::with(&PartsOptions::least_odds, 0)}) {
     EXPECT_THROW(options.validate(), InvalidArgument);
   }
 }

@@ -3,11 +3,6 @@
 #include "tests/core/mounting/parts/gravity_draw.h"
 #include "tests/support/matchers.h"
 
-#include <gmock/gmock.h>
-
-#include <array>
-#include <cmath>
-
 namespace hexoderm {
 namespace {
 

@@ -3,8 +3,8 @@
 
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/options.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -16,12 +16,8 @@ PatchTurn turnOnLink(const std::string& link, double yaw) {
 TEST(RotationByGravity, IsThatOfTheLinkThatIsAskedFor) {
   PatchLinks patch;
   EXPECT_FALSE(rotationByGravity(patch, "forearm"));
-  LinkCandidate candidate;
-  candidate.links = {turnOnLink("forearm", 0.1), turnOnLink("hand", 0.2)};
-  patch.candidates = {candidate};
-  LinkCandidate nearest;
-  nearest.links = {turnOnLink("base", 0.3)};
-  patch.nearest = nearest;
+  patch.candidates = {test::with(&LinkCandidate::links, {turnOnLink("forearm", 0.1), turnOnLink("hand", 0.2)})};
+  patch.nearest = test::with(&LinkCandidate::links, {turnOnLink("base", 0.3)});
   patch.placed = turnOnLink("forearm", 0.4);
   const auto yaw = [&](std::string_view link) {
     const auto found = rotationByGravity(patch, link);

@@ -1,17 +1,10 @@
 #include "hexoderm/mounting/place/by_hand.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/mesh_feet.h"
 #include "tests/core/mounting/place/laid_patches.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
 
 double thickness() { return builtInCellModel("hex-bma150").thickness_m; }
 

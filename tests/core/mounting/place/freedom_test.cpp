@@ -2,15 +2,9 @@
 
 #include "tests/core/mounting/place/laid_patches.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-
 namespace hexoderm {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
 using Kind = FreeDirection::Kind;
 
 /// The points of a free direction's axis and the twist say the same.

@@ -8,16 +8,7 @@
 #include "hexoderm/robots/robot_model.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/support/paths.h"
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <memory>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 

@@ -1,23 +1,11 @@
 #include "hexoderm/mounting/place/place.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/core/mounting/place/laid_patches.h"
-#include "tests/support/error_matchers.h"
+#include "tests/support/options.h"
 #include "tests/support/slow_build.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <limits>
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 constexpr int kPlaceSeeds = test::kSlowBuild ? 2 : 6;
 
@@ -193,26 +181,21 @@ TEST(Place, RefusesTasksThatMakeNone) {
   const TriangleMesh mesh = meshOfBox({0.4, 0.4, 0.4});
   const LaidPatch laid = layPatch(mesh, {Eigen::Matrix3d::Identity(), {0, 0, 0.21}});
   const PlaceTask good = surfaceTask(mesh, laid);
+  const auto refusal = [](const PlaceTask& task) { return messageOf<InvalidArgument>([&] { placePatches(task); }); };
   const auto says = [&](const auto& change) {
     PlaceTask task = good;
     change(task);
-    return messageOf<InvalidArgument>([&] { placePatches(task); });
+    return refusal(task);
   };
   EXPECT_THAT(says([](PlaceTask& task) { task.patches.clear(); }), HasSubstr("no patch to place"));
   EXPECT_THAT(says([](PlaceTask& task) { task.surface.reset(); }), HasSubstr("nothing says where on the link"));
   EXPECT_THAT(says([](PlaceTask& task) { task.surface->triangles.clear(); }),
               HasSubstr("the mesh of link link has no triangle with an area"));
-  EXPECT_THAT(says([](PlaceTask& task) {
-                task.points = {{CellId(99), {0, 0, 0}, 0.001}};
-              }),
+  EXPECT_THAT(refusal(test::with(good, &PlaceTask::points, {{CellId(99), {0, 0, 0}, 0.001}})),
               HasSubstr("none of the patches to place holds a cell 99"));
-  EXPECT_THAT(says([](PlaceTask& task) {
-                task.points = {{CellId(1), {0, 0, 0}, 0}};
-              }),
+  EXPECT_THAT(refusal(test::with(good, &PlaceTask::points, {{CellId(1), {0, 0, 0}, 0}})),
               HasSubstr("the sigma of the point of cell 1 must be from 1e-06 to 100 m, found 0 m"));
-  EXPECT_THAT(says([](PlaceTask& task) {
-                task.distances = {{CellId(1), CellId(2), 0.1, 0.001}};
-              }),
+  EXPECT_THAT(refusal(test::with(good, &PlaceTask::distances, {{CellId(1), CellId(2), 0.1, 0.001}})),
               HasSubstr("cells 1 and 2 are of one patch"));
   EXPECT_THAT(says([](PlaceTask& task) { task.patches.push_back(task.patches[0]); }),
               HasSubstr("cell 1 is there twice"));

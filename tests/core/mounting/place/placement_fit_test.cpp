@@ -3,11 +3,6 @@
 #include "hexoderm/base/units.h"
 #include "tests/core/mounting/place/laid_patches.h"
 
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <vector>
-
 namespace hexoderm {
 namespace {
 
