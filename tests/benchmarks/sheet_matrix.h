@@ -3,31 +3,19 @@
 // The matrix that the joint estimate of a simulated sheet of cells begins with: of its cells, at the tree's placements,
 // in three poses.
 
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
 #include "hexoderm/solve/estimate/patch_solver.h"
 #include "hexoderm/solve/global/elimination_plan.h"
 #include "hexoderm/solve/sparse/supernodes.h"
-
-#include <Eigen/SparseCore>
-#include <memory>
-#include <string>
-#include <vector>
+#include "tests/support/simulated_skins.h"
 
 namespace hexoderm {
 
-/// A sheet bent round a cylinder of a size that goes with it.
-inline SimulatedSkinOptions sheetOptions(std::int64_t rows, std::int64_t columns) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(columns);
-  options.surface = "cylinder:r=" + std::to_string(0.25 * static_cast<double>(columns) / 36);
-  return options;
-}
-
 struct SheetProblem {
-  SheetProblem(std::int64_t rows, std::int64_t columns)
-      : skin(builtInCellModel("hex-bma150"), sheetOptions(rows, columns)) {
-    const auto snapshot = simulateSession(skin, 3).snapshot();
+  SheetProblem(std::size_t rows, std::size_t columns) {
+    const auto snapshot = test::simulatedSession(test::bentSheet(rows, columns), 3).snapshot();
     std::vector<Finding> findings;
     const SolverOptions options;
     SkinLinks links(*snapshot, options, findings);
@@ -44,7 +32,6 @@ struct SheetProblem {
   SheetProblem(const SheetProblem&) = delete;
   SheetProblem& operator=(const SheetProblem&) = delete;
 
-  SimulatedSkin skin;
   CellModel model;
   std::vector<SE3> placements;
   GlobalProblem problem;

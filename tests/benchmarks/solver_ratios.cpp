@@ -11,20 +11,22 @@
 #include "hexoderm/base/freed_memory.h"
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
 #include "hexoderm/skin/origin_search.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/solve.h"
-#include "tests/benchmarks/boost_all_pairs.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/factor_ratios.h"
-
+#include "tests/support/options.h"
+#include "tests/support/simulated_skins.h"
 #ifdef HEXODERM_HAS_CERES
 #include "tests/core/solve/global/ceres_oracle.h"
 #endif
 
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <stop_token>
@@ -39,15 +41,12 @@ constexpr std::size_t kPoses = 3;
 /// Ceres takes minutes beyond that.
 constexpr std::size_t kMaxCellsForCeres = 10'000;
 
+/// Of a sheet that is about square.
+std::size_t rowsOf(std::size_t cells) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(cells))); }
 Session sheet(std::size_t cells, bool hand_held) {
-  const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(cells)));
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(cells / rows);
-  options.surface = "cylinder:r=" + formatExact(0.25 * std::sqrt(static_cast<double>(cells) / 1260));
-  options.seed = 3;
-  options.hand_held = hand_held;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, kPoses);
+  const std::size_t rows = rowsOf(cells);
+  return test::simulatedSession(
+      test::with(test::bentSheet(rows, cells / rows, 3), &SimulatedSkinOptions::hand_held, hand_held), kPoses);
 }
 
 void print(const std::string& what, double ms, double unit_ms) {
@@ -97,8 +96,7 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   const PatchSolver& patch = solved->patches().front();
   const GlobalProblem& problem = patch.joint()->problem();
   const GlobalState start = stateOfTree(snapshot, problem);
-  GlobalSolverOptions without_covariance;
-  without_covariance.covariance = false;
+  const auto without_covariance = test::with(&GlobalSolverOptions::covariance, false);
   double cost = 0;
   const double ms = least_ms([&] { cost = solveJointly(problem, start, without_covariance).cost; });
   print("joint cost from the tree, without covariances", ms, unit_ms);
@@ -116,6 +114,35 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   std::cout << "  Ceres takes " << formatFixed(ceres_ms / ms, 1) << " times as long\n";
 }
 #endif
+
+/// All pairs by the Boost Graph Library: from every vertex of a small skin, and from some of a large one, times how
+/// many there are.
+double boostAllPairs_ms(const SkinGraph& skin, const std::vector<double>& weights) {
+  using Property = boost::property<boost::edge_weight_t, double>;
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Property>;
+  Graph graph(skin.cells().size());
+  for (std::size_t k = 0; k < skin.links().size(); ++k) {
+    const GraphLink& link = skin.links()[k];
+    if (link.muted()) continue;
+    boost::add_edge(link.source, link.target, Property(weights[k]), graph);
+    boost::add_edge(link.target, link.source, Property(weights[k]), graph);
+  }
+  const std::size_t cells = skin.cells().size();
+  const std::size_t step = std::max<std::size_t>(1, cells / 1000);
+  std::vector<double> distance(cells);
+  double sum = 0;
+  std::size_t sources = 0;
+  const double before = cpuTime_ms();
+  for (std::size_t source = 0; source < cells; source += step, ++sources) {
+    boost::dijkstra_shortest_paths_no_color_map(graph, source,
+                                                boost::distance_map(boost::make_iterator_property_map(
+                                                    distance.begin(), boost::get(boost::vertex_index, graph))));
+    sum += distance.back();
+  }
+  const double took = cpuTime_ms() - before;
+  if (sum == 0) std::abort();  // so that nothing is left out as unused
+  return took * static_cast<double>(cells) / static_cast<double>(sources);
+}
 
 void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree, double unit_ms) {
   const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, tree);
@@ -147,8 +174,7 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
   const auto snapshot = session.snapshot();
   std::cout << session.neighbors().size() << " cells, " << kPoses
             << (hand_held ? " poses in a hand:\n" : " still poses:\n");
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
+  const SolverOptions tree = test::with(&SolverOptions::solver, Solver::Tree);
   print("tree, in memory", least_ms([&] { reconstruct(*snapshot, tree); }), unit_ms);
   print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, tree, SolveStage::Links); }), unit_ms);
   print("global from scratch", least_ms([&] { reconstruct(*snapshot); }), unit_ms);
@@ -205,9 +231,8 @@ int main(int argc, char** argv) {
   const double unit_ms = yardstick_ms();
   std::cout << "CPU time, and in units of 100,000 JacobiSVD<Matrix3d> (" << formatFixed(unit_ms, 1) << " ms)\n";
   for (const std::size_t cells : sizes) {
-    const auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(cells)));
     if (solve) compare(cells, hand_held, count_of_cores, unit_ms);
     std::cout << std::flush;
-    if (factor) compareFactors(rows, static_cast<std::int64_t>(cells) / rows);
+    if (factor) compareFactors(rowsOf(cells), cells / rowsOf(cells));
   }
 }

@@ -1,13 +1,16 @@
 // CPU time that the tree takes in memory, stage by stage, for 1,260, 10,000 and 99,856 simulated cells in three poses;
-// beside it, as a measure of the computer, 100,000 of Eigen's JacobiSVD<Matrix3d>, and what the Boost Graph Library
-// takes to find the origin from all pairs. Each figure is the least of several runs.
+// beside it, as a measure of the computer, 100,000 of Eigen's JacobiSVD<Matrix3d>. Each figure is the least of several
+// runs.
 //
 //   build/core/tests/benchmarks/tree_benchmark [MOST_CELLS]
 
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <numeric>
+#include <string>
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/vector_instructions.h"
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
 #include "hexoderm/skin/origin_search.h"
 #include "hexoderm/solve/estimate/patch_description.h"
 #include "hexoderm/solve/estimate/patch_solver.h"
@@ -17,15 +20,9 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/tree/edge_batches.h"
 #include "hexoderm/solve/tree/skin_links.h"
-#include "tests/benchmarks/boost_all_pairs.h"
 #include "tests/benchmarks/cpu_time.h"
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <numeric>
-#include <string>
+#include "tests/support/options.h"
+#include "tests/support/simulated_skins.h"
 
 namespace hexoderm {
 namespace {
@@ -43,18 +40,10 @@ class Table {
   double svd_ms_;
 };
 
-void measure(int rows, int columns, double svd_ms) {
-  SimulatedSkinOptions skin_options;
-  skin_options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(columns);
-  const double cells = rows * columns;
-  skin_options.surface = "cylinder:r=" + std::to_string(0.25 * std::sqrt(cells / 1260));
-  skin_options.seed = 3;
-  SimulatedSkin simulated(builtInCellModel("hex-bma150"), skin_options);
-  const auto snapshot = simulateSession(simulated, 3).snapshot();
-  SolverOptions options;
-  options.solver = Solver::Tree;
-  const Table table(static_cast<std::size_t>(cells), svd_ms);
-
+void measure(std::size_t rows, std::size_t columns, double svd_ms) {
+  const auto snapshot = test::simulatedSession(test::bentSheet(rows, columns, 3), 3).snapshot();
+  SolverOptions options = test::with(&SolverOptions::solver, Solver::Tree);
+  const Table table(rows * columns, svd_ms);
   table.row("whole, reconstruct()", least_ms([&] { static_cast<void>(reconstruct(*snapshot, options)); }));
 
   table.row("graph from reports", least_ms([&] { SkinGraph(*snapshot->model, *snapshot->neighbors); }));
@@ -105,12 +94,6 @@ void measure(int rows, int columns, double svd_ms) {
   options.weights = LinkWeights::Residual;
   const std::vector<double> real = linkWeights(skin);
   table.row("origin by residuals", least_ms([&] { found = searchOrigin(skin.graph(), real, 0); }));
-  const auto compareWithBoost = [&] {
-    const double boost_ms = boostAllPairs_ms(skin.graph(), weights);
-    table.row("Boost, all pairs", boost_ms);
-    std::printf("%-36s %9.0f\n", "  times the origin's", boost_ms / origin_ms);
-  };
-  if (cells < 20'000) compareWithBoost();
   options.weights = SolverOptions().weights;
   Estimate estimate(*snapshot, options);
   static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));

@@ -3,8 +3,8 @@
 
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/translation.h"
-#include "tests/screenshots/newcomer.h"
 #include "tests/support/color_vision.h"
+#include "tests/support/newcomer.h"
 #include "widgets/patch/patch_view.h"
 
 #include <QApplication>

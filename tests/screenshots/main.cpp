@@ -4,8 +4,8 @@
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
-#include "tests/screenshots/newcomer.h"
 #include "tests/screenshots/screenshot_tour.h"
+#include "tests/support/newcomer.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
