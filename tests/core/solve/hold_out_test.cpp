@@ -34,7 +34,9 @@ Session inThirdPose(const Session& session, const std::function<void(GravitySamp
 }
 
 TEST(HoldOut, ExactReadingsAreForetoldExactly) {
-  const Session session = bentX17().session(orthogonalUps(6));
+  std::vector<Eigen::Vector3d> ups = orthogonalUps(6);
+  ups[3] = expSO3({0.3, 0.8, -0.2}) * ups[3];  // like none of the others
+  const Session session = bentX17().session(ups);
   const HoldOutResult result = evaluateHoldOut(*session.snapshot(), PoseId(4));
   EXPECT_EQ(result.outcome, HoldOutOutcome::Evaluated);
   EXPECT_EQ(result.other_poses, 5U);
@@ -185,16 +187,6 @@ TEST(HoldOut, APartThatWasTurnedWhileItWasReadIsFoundThoughItsReadingsAgree) {
   EXPECT_NEAR(result.turning_rad_s2, 10, 2.5);
   EXPECT_LT(result.rms_rad, 1.5 * result.expected_rms_rad);
   EXPECT_EQ(result.agreement, HoldOutAgreement::FarWorse);
-}
-
-TEST(HoldOut, TurningTheWholePartInThePoseChangesNothing) {
-  const PinJointedSkin skin = bentX17();
-  std::vector<Eigen::Vector3d> ups = orthogonalUps(5);
-  const HoldOutResult before = evaluateHoldOut(*skin.session(ups).snapshot(), PoseId(5));
-  ups[4] = expSO3({0.3, 0.8, -0.2}) * ups[4];
-  const HoldOutResult after = evaluateHoldOut(*skin.session(ups).snapshot(), PoseId(5));
-  EXPECT_LT(after.rms_rad, 0.02 * kDegree);
-  EXPECT_LT(before.rms_rad, 0.02 * kDegree);
 }
 
 TEST(HoldOut, NeedsThreeOtherPosesAndSaysSo) {

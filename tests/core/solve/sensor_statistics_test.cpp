@@ -232,19 +232,6 @@ TEST(UnlikelySensors, CrossAxisSensitivityAndScaleAreNamedByTheirKind) {
   EXPECT_THAT(textOf(modelWith(0.06, 0, 0.08, 0.005)), ::testing::HasSubstr("scale errors of"));
 }
 
-TEST(UnlikelySensors, HealthySkinsAreNotAccusedAndKeepTheirVerdict) {
-  const CellModel model = builtInCellModel("hex-bma150");
-  const int seeds = kSlowBuild ? 1 : 8;
-  for (const std::string patch : {"x17", "ring8", "ring8:closed", "sheet:3x4"}) {
-    for (const std::size_t poses : {2U, 3U, 6U}) {
-      for (int seed = 1; seed <= seeds; ++seed) {
-        const auto session = simulate(model, model, {patch, poses, static_cast<std::uint64_t>(1000 + seed)});
-        EXPECT_EQ(contradictions(*session), 0U) << patch << ", " << poses << " poses, seed " << seed;
-      }
-    }
-  }
-}
-
 TEST(UnlikelySensors, TheModelThatComesOutIsNotContradicted) {
   const CellModel believed = builtInCellModel("hex-bma150");
   const auto session = simulate(modelWith(0.18, 0, 0.02, 0.02), believed, {});
