@@ -3,13 +3,14 @@
 // The matrix that the joint estimate of a simulated sheet of cells begins with: of its cells, at the tree's placements,
 // in three poses.
 
-#include <Eigen/SparseCore>
-#include <memory>
-#include <vector>
 #include "hexoderm/solve/estimate/patch_solver.h"
 #include "hexoderm/solve/global/elimination_plan.h"
 #include "hexoderm/solve/sparse/supernodes.h"
 #include "tests/support/simulated_skins.h"
+
+#include <Eigen/SparseCore>
+#include <memory>
+#include <vector>
 
 namespace hexoderm {
 

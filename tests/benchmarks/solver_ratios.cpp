@@ -1,8 +1,8 @@
 // Times as ratios that hold on any computer, in one run: the CPU time of the tree and of the global solver in units of
-// 100,000 Eigen::JacobiSVD<Matrix3d>; how many times as long the Boost Graph Library takes to find the origin from all
-// pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from the same start. All that
-// on one core; then by how much the tree and the global solver are faster with all that there are. A hand holds the
-// poses, or, with --still, a table.
+// 100,000 Eigen::JacobiSVD<Matrix3d>, the tree stage by stage; how many times as long the Boost Graph Library takes to
+// find the origin from all pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from
+// the same start. All that on one core; then by how much the tree and the global solver are faster with all that there
+// are. A hand holds the poses, or, with --still, a table.
 //
 //   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve | --global] [--still]
 //
@@ -11,9 +11,16 @@
 #include "hexoderm/base/freed_memory.h"
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/text.h"
+#include "hexoderm/base/vector_instructions.h"
 #include "hexoderm/skin/origin_search.h"
+#include "hexoderm/solve/estimate/patch_description.h"
+#include "hexoderm/solve/estimate/patch_solver.h"
+#include "hexoderm/solve/explain/explainer.h"
+#include "hexoderm/solve/faults/cell_health.h"
+#include "hexoderm/solve/faults/suspects.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/solve.h"
+#include "hexoderm/solve/tree/edge_batches.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/factor_ratios.h"
 #include "tests/support/options.h"
@@ -29,6 +36,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -154,6 +162,58 @@ void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree
             << " times as long\n";
 }
 
+/// The tree, stage by stage.
+void printStages(const SessionSnapshot& snapshot, SolverOptions options, double unit_ms) {
+  const auto row = [unit_ms](const std::string& what, double ms) { print("- " + what, ms, unit_ms); };
+  row("graph from reports", least_ms([&] { SkinGraph(*snapshot.model, *snapshot.neighbors); }));
+  std::vector<Finding> findings;
+  SkinLinks skin(snapshot, options, findings);
+  row("readings", least_ms([&] { GravityTable(snapshot, skin.graph(), findings); }));
+  row("cells judged", least_ms([&] { judgeCells(snapshot, skin.graph(), skin.table(), findings); }));
+  row("edges", least_ms([&] { skin.estimateEdges(); }));
+  {
+    std::vector<std::size_t> all(skin.graph().links().size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<EdgeRotation> edges(all.size());
+    std::vector<std::optional<double>> residuals(all.size() * skin.table().poseCount());
+    const auto in_batches = [&](const char* what, EdgeKernel kernel) {
+      row(what, least_ms([&] { estimateUsualEdges(skin, all, edges, residuals, kernel); }));
+    };
+    in_batches("  of these two at a time", estimateEdgesByTwo);
+    if (hasVectorInstructions()) in_batches("  of these four at a time", estimateEdgesByFour);
+  }
+  row("pair tests", least_ms([&] { SuspectSearch(skin); }));
+  const std::vector<double> weights = linkWeights(skin);
+  OriginFound found;
+  const double origin_ms = least_ms([&] { found = searchOrigin(skin.graph(), weights, 0); });
+  row("origin, " + std::to_string(found.runs) + " runs", origin_ms);
+  ShortestPaths paths;
+  row("paths", least_ms([&] { paths = findShortestPaths(skin.graph(), weights, found.origin); }));
+  std::vector<Eigen::Matrix3d> attitudes;
+  row("attitudes", least_ms([&] {
+        attitudes.clear();
+        for (const std::size_t cell : skin.graph().patches().front()) {
+          attitudes.push_back(skin.attitudeCovariance(cell, paths.link[skin.graph().cells()[cell].place]));
+        }
+      }));
+  row("placements", least_ms([&] {
+        static_cast<void>(
+            placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes, gapShareOf(options.gap_model)));
+      }));
+  std::vector<PatchSolver> patches;
+  patches.emplace_back(skin, weights, 0);
+  std::vector<PatchReconstruction> described;
+  row("description", least_ms([&] { described = describePatches(skin, patches, weights); }));
+  row("flat layout", least_ms([&] { static_cast<void>(computeFlatLayout(skin.model(), described)); }));
+  options.weights = LinkWeights::Residual;
+  const std::vector<double> real = linkWeights(skin);
+  row("origin by residuals", least_ms([&] { found = searchOrigin(skin.graph(), real, 0); }));
+  options.weights = SolverOptions().weights;
+  Estimate estimate(snapshot, options);
+  static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
+  row("attitudes searched for faults", least_ms([&] { static_cast<void>(makeAttitudeExplainer().explain(estimate)); }));
+}
+
 /// By the clock on the wall.
 template <class Run>
 void compareCores(const std::string& what, std::size_t count, const Run& run) {
@@ -176,6 +236,7 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
             << (hand_held ? " poses in a hand:\n" : " still poses:\n");
   const SolverOptions tree = test::with(&SolverOptions::solver, Solver::Tree);
   print("tree, in memory", least_ms([&] { reconstruct(*snapshot, tree); }), unit_ms);
+  printStages(*snapshot, tree, unit_ms);
   print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, tree, SolveStage::Links); }), unit_ms);
   print("global from scratch", least_ms([&] { reconstruct(*snapshot); }), unit_ms);
   print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, {}, SolveStage::Patches); }), unit_ms);

@@ -4,6 +4,12 @@
 //   monkey [--minutes M] [--seed N] [--limit-ms L] [--discount-load] [--discount-stolen]
 //          [--trace]
 
+#include "app/window/main_window/main_window.h"
+#include "hexoderm/session/session_store.h"
+#include "tests/monkey/watchdog.h"
+#include "tests/support/newcomer.h"
+#include "tests/support/simulated_skins.h"
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDesktopServices>
@@ -23,11 +29,6 @@
 #include <map>
 #include <random>
 #include <utility>
-#include "app/window/main_window/main_window.h"
-#include "hexoderm/session/session_store.h"
-#include "tests/monkey/watchdog.h"
-#include "tests/support/newcomer.h"
-#include "tests/support/simulated_skins.h"
 
 namespace {
 

@@ -2,10 +2,6 @@
 // off or lies over another, or if the window is larger than it should be. Of sessions that are named: the 3D view alone
 // as the window draws it when the file is opened, to be shown to people who are asked which cell is bad
 // (blind_test.py).
-#include <QApplication>
-#include <QCommandLineParser>
-#include <QFileInfo>
-#include <QTextStream>
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
@@ -14,6 +10,11 @@
 #include "tests/support/newcomer.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/patch_view.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QTextStream>
 namespace {
 
 using namespace hexoderm;
@@ -29,6 +30,7 @@ struct Eyes {
   const char* name;
   ColorMatrix matrix;
 };
+
 const std::array<Eyes, 4> kEyes = {{{"all-colours", kAllColours},
                                     {"protanopia", kProtanopia},
                                     {"deuteranopia", kDeuteranopia},

@@ -9,6 +9,7 @@ template <class Options>
 Options with(Options options) {
   return options;
 }
+
 /// Options with some of them changed: `with(options, &SolverOptions::solver, Solver::Tree, &SolverOptions::weights,
 /// ...)`.
 template <class Options, class Value, class... Others>
@@ -16,6 +17,7 @@ Options with(Options options, Value Options::*option, std::type_identity_t<Value
   options.*option = std::move(value);
   return with(std::move(options), std::move(others)...);
 }
+
 /// The same of the defaults: `with(&SolverOptions::centring, Centring::On)`.
 template <class Options, class Value, class... Others>
 Options with(Value Options::*option, std::type_identity_t<Value> value, Others... others) {

@@ -22,6 +22,7 @@ inline SimulatedSkinOptions bentSheet(std::size_t rows, std::size_t columns, std
   return skinOptions("sheet:" + std::to_string(rows) + "x" + std::to_string(columns),
                      "cylinder:r=" + std::to_string(0.25 * share), seed);
 }
+
 /// Options of a skin on a robot with its motors on.
 inline SimulatedSkinOptions robotOptions(const std::string& patch, const std::string& surface, std::uint64_t seed = 1) {
   SimulatedSkinOptions options = SimulatedSkinOptions::robot();

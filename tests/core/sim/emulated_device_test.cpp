@@ -348,6 +348,7 @@ SimulatedRobot skinnedArm() {
   return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT),
           with(SimulatedRobotOptions::ideal(), &SimulatedRobotOptions::mounts, demoMounts())};
 }
+
 TEST(EmulatedDevice, ARobotHasAllItsPatchesOnOneInterface) {
   Bench bench(skinnedArm());
   EXPECT_TRUE(bench.take<skinwire::Hello>().at(0).can_turn);

@@ -1,10 +1,5 @@
 // Effects of faulty links on a simulated skin's reports, readings and truth.
 
-#include <gtest/gtest.h>
-#include <Eigen/LU>
-#include <algorithm>
-#include <set>
-#include <tuple>
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_skin.h"
@@ -12,6 +7,12 @@
 #include "tests/core/sim/standard_skin.h"
 #include "tests/support/error_matchers.h"
 #include "tests/support/options.h"
+
+#include <gtest/gtest.h>
+#include <Eigen/LU>
+#include <algorithm>
+#include <set>
+#include <tuple>
 
 namespace hexoderm {
 namespace {

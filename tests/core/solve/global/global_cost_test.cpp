@@ -167,6 +167,7 @@ TEST(GlobalCost, OfANumberThatIsNotFiniteIsNoneEither) {
     EXPECT_FALSE(std::isfinite(equations.cost)) << in_force;
   }
 }
+
 TEST(GlobalCost, MatrixIsPositiveSemiDefiniteAnywhere) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:3x3"}) {
     for (const GapShare& gap : kGaps) {

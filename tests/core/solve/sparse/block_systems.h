@@ -85,6 +85,7 @@ inline Graph cliqueInARing(std::size_t joined, std::size_t size) {
   }
   return graph;
 }
+
 /// Two lattices, a chain and two cells alone.
 inline Graph parts() {
   Graph graph{"Parts", 0, {}};
