@@ -6,6 +6,7 @@
 #include "hexoderm/solve/estimate/patch_solver.h"
 #include "hexoderm/solve/global/elimination_plan.h"
 #include "hexoderm/solve/sparse/supernodes.h"
+#include "tests/support/estimated_links.h"
 #include "tests/support/simulated_skins.h"
 
 #include <Eigen/SparseCore>
@@ -16,15 +17,12 @@ namespace hexoderm {
 
 struct SheetProblem {
   SheetProblem(std::size_t rows, std::size_t columns) {
-    const auto snapshot = test::simulatedSession(test::bentSheet(rows, columns), 3).snapshot();
-    std::vector<Finding> findings;
-    const SolverOptions options;
-    SkinLinks links(*snapshot, options, findings);
-    links.estimateEdges();
+    const test::EstimatedLinks estimated(test::simulatedSession(test::bentSheet(rows, columns), 3));
+    const SkinLinks& links = estimated.links;
     const PatchSolver tree(links, linkWeights(links), 0);
     for (const TreePlacement& placed : tree.treePlacements()) placements.push_back(placed.T_o_u);
-    const GlobalRefinement joint(links.model(), links.graph(), links.table(), options, tree.cells(), tree.origin(),
-                                 placements);
+    const GlobalRefinement joint(links.model(), links.graph(), links.table(), estimated.options, tree.cells(),
+                                 tree.origin(), placements);
     model = links.model();
     problem = joint.problem();
     problem.model = &model;

@@ -178,10 +178,5 @@ TEST(ScreenshotTour, IsAProgramThatRefusesArgumentsThatMakeNoSense) {
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {}), 2);
 }
 
-TEST(ScreenshotTour, IsNoOptionOfTheShippedProgram) {
-  const QTemporaryDir folder;
-  EXPECT_EQ(exitCodeOf(HEXODERM_PROGRAM, {QStringLiteral("--screenshots"), folder.path()}), 1);
-}
-
 }  // namespace
 }  // namespace hexoderm
