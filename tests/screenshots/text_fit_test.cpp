@@ -176,6 +176,7 @@ TEST(ScreenshotTour, IsAProgramThatRefusesArgumentsThatMakeNoSense) {
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--size=nonsense"), folder.path()}), 2);
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--theme=pink"), folder.path()}), 2);
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {}), 2);
+  EXPECT_EQ(exitCodeOf(HEXODERM_PROGRAM, {QStringLiteral("--screenshots"), folder.path()}), 1) << "not of the shipped";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+
 namespace hexoderm::test {
 
 /// Options of a simulated skin, the others as by default.
