@@ -51,7 +51,8 @@ TEST_P(EverySolver, NoiseFreeX17ComesBackButForPriors) {
     EXPECT_THAT(result->patches.front().gravity, SizeIs(poses));
     // With two poses little holds the global solver against its prior.
     if (poses > 2 || GetParam() == Solver::Tree) {
-      expectNear(*result, skin, exactOr(0.1 * kDegree), exactOr(0.08 * kMillimetre));
+      expectNear(*result, skin, exactOr((poses < 6 ? 0.1 : 0.025) * kDegree),
+                 exactOr((poses < 6 ? 0.08 : 0.03) * kMillimetre));
     }
     EXPECT_THAT(*result, IsFinite());
     EXPECT_TRUE(result->findings.empty());
