@@ -226,6 +226,7 @@ TEST(EmulatedDevice, AnswersEveryCommand) {
   EXPECT_THAT(bench.device.led(CellId(8)), ElementsAre(0, 0, 0));
   EXPECT_THAT(ask(skinwire::SetLed{18, 1, 1, 1}).text, HasSubstr("no cell 18"));
   EXPECT_FALSE(ask(skinwire::TurnTo{18, Eigen::Vector3d::UnitX()}).done);
+  EXPECT_THAT(ask(skinwire::TurnTo{5, Eigen::Vector3d::Zero()}).text, HasSubstr("must be a finite vector"));
   EXPECT_FALSE(ask(std::monostate{}).done);
   EXPECT_FALSE(ask(skinwire::SetRate{5000}).done);
 
