@@ -8,12 +8,11 @@
 #include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/io/session_json_read.h"
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/benchmarks/cpu_time.h"
+#include "tests/support/options.h"
 #include "tests/support/peak_memory.h"
-
+#include "tests/support/simulated_skins.h"
 #ifdef HEXODERM_HAS_SIMDJSON
 #include <simdjson.h>
 #endif
@@ -53,14 +52,8 @@ void show(const char* title, std::size_t bytes, const std::vector<Work>& works) 
 
 void measure(std::size_t cells) {
   const auto rows = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(cells))));
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(rows);
-  options.surface = "cylinder:r=" + std::to_string(0.25 * std::sqrt(static_cast<double>(cells) / 1260));
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  const Session session = simulateSession(skin, 3);
-  SolverOptions solver;
-  solver.solver = Solver::Tree;
-  const auto calibration = reconstruct(*session.snapshot(), solver);
+  const Session session = test::simulatedSession(test::bentSheet(rows, rows), 3);
+  const auto calibration = reconstruct(*session.snapshot(), test::with(&SolverOptions::solver, Solver::Tree));
   std::printf("%zu cells, 3 poses\n", calibration->cellCount());
 
   const auto nowhere = [](std::string_view /*piece*/) {};

@@ -52,7 +52,7 @@ void print(const char* what, double ours_ms, std::optional<double> portable_ms =
 
 }  // namespace
 
-void compareFactors(std::int64_t rows, std::int64_t columns) {
+void compareFactors(std::size_t rows, std::size_t columns) {
   const SheetProblem sheet(rows, columns);
   const SheetMatrix matrix = SheetMatrix::of(sheet);
   const Eigen::MatrixXd right = Eigen::MatrixXd::Ones(matrix.lower.rows(), 6);

@@ -3,15 +3,13 @@
 // taken first. CPU time is that of the process, thread by thread, as Linux counts it. The command is in README.md.
 
 #include "app/window/main_window/main_window.h"
-#include "tests/benchmarks/window_application.h"
+#include "tests/support/newcomer.h"
 #include "tests/support/paths.h"
+#include "tests/support/picture_counter.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/scene_widget.h"
 
 #include <unistd.h>
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
 #include <QAction>
 #include <QCommandLineParser>
 #include <QDir>
@@ -83,7 +81,7 @@ bool takePoses(MainWindow& window) {
   controller.liveSession().letRobotTake(kPoses);
   if (!test::waitUntil([&] { return !controller.liveSession().isRobotOn() && isIdle(); })) return false;
   constexpr int kGhostTurns_ms = 10000;  // three times, and then it rests
-  letPass(kGhostTurns_ms);
+  QTest::qWait(kGhostTurns_ms);
   return controller.session() && controller.session()->poses().size() >= kPoses;
 }
 
@@ -129,13 +127,9 @@ int measure(const QString& emulator_program, double seconds, bool shows_stillnes
   if (shows_stillness) {
     auto* tabs = window.findChild<QTabBar*>(QStringLiteral("detailTabs"));
     tabs->setCurrentIndex(tabs->count() - 1);
-    letPass(1000);
+    QTest::qWait(1000);
   }
-  int pictures = 0;
-  const vtkNew<vtkCallbackCommand> count;
-  count->SetClientData(&pictures);
-  count->SetCallback([](vtkObject*, unsigned long, void* counter, void*) { ++*static_cast<int*>(counter); });
-  window.findChild<SceneWidget*>()->renderWindow()->AddObserver(vtkCommand::EndEvent, count);
+  const test::PictureCounter pictures(*window.findChild<SceneWidget*>());
   const QString of_emulator = QStringLiteral("/proc/%1/stat").arg(emulator.processId());
   PaintTally tally;
   qApp->installEventFilter(&tally);
@@ -143,9 +137,9 @@ int measure(const QString& emulator_program, double seconds, bool shows_stillnes
   clock.start();
   const auto before = timesOfThreads();
   const double emulator_before = timeIn(of_emulator).second;
-  letPass(static_cast<int>(1000 * seconds));
+  QTest::qWait(static_cast<int>(1000 * seconds));
   const double passed = static_cast<double>(clock.elapsed()) / 1000;
-  report(before, passed, tally, pictures);
+  report(before, passed, tally, pictures.count());
   if (!is_demo) {
     out() << QStringLiteral("the emulator: %1 % of a core\n")
                  .arg(100 * (timeIn(of_emulator).second - emulator_before) / passed, 0, 'f', 2);
@@ -160,7 +154,9 @@ int measure(const QString& emulator_program, double seconds, bool shows_stillnes
 }  // namespace hexoderm
 
 int main(int argc, char** argv) {
-  const hexoderm::WindowApplication window(argc, argv, "idle_cost");
+  const hexoderm::Newcomer newcomer;
+  const QApplication application(argc, argv);
+  hexoderm::applyTextFactor(1);
   QCommandLineParser parser;
   parser.addHelpOption();
   const QCommandLineOption seconds(QStringLiteral("seconds"), QStringLiteral("Measure for so long."),
@@ -169,7 +165,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption demo(QStringLiteral("demo"),
                                 QStringLiteral("The demo skin, whose simulation is in the window's process."));
   parser.addOptions({seconds, stillness, demo});
-  parser.process(window.application());
+  parser.process(application);
   return hexoderm::measure(QStringLiteral(HEXODERM_EMULATOR), parser.value(seconds).toDouble(), parser.isSet(stillness),
                            parser.isSet(demo));
 }

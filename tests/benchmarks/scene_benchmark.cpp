@@ -7,6 +7,7 @@
 // column CPU is the time of all threads together: on a busy computer it tells more than the frames/s do.
 
 #include "tests/support/hand_made_skins.h"
+#include "widgets/patch/scene_look.h"
 #include "widgets/scene/edge_smoothing.h"
 #include "widgets/scene/patch_scene.h"
 
@@ -25,21 +26,6 @@ namespace {
 constexpr int kWidth = 720;
 constexpr int kHeight = 600;
 
-SceneColors plainColors() {
-  SceneColors colors;
-  colors.background_top = {0.08, 0.09, 0.11};
-  colors.background_bottom = {0.12, 0.14, 0.17};
-  colors.quality = {{{0.59, 0.20, 0.19}, {0.70, 0.61, 0.17}, {0.37, 0.67, 0.69}, {0.34, 0.29, 0.64}}};
-  colors.link_line = colors.quality;
-  colors.neutral = {0.5, 0.55, 0.6};
-  colors.scale.steps = {{0.27, 0.0, 0.33}, {0.13, 0.57, 0.55}, {0.99, 0.91, 0.14}};
-  colors.signed_scale = colors.scale;
-  colors.classes = colors.scale.steps;
-  colors.light_mark = {1, 1, 1};
-  colors.dark_mark = {0.08, 0.09, 0.11};
-  return colors;
-}
-
 /// 17, 1,260, 10,000 or 100,000 cells.
 std::shared_ptr<const Reconstruction> skinOf(std::int64_t cells) {
   static std::map<std::int64_t, std::shared_ptr<const Reconstruction>> made;
@@ -57,7 +43,7 @@ struct Stage {
   Stage() {
     window->SetOffScreenRendering(1);
     window->SetSize(kWidth, kHeight);
-    scene.setColors(plainColors());
+    scene.setColors(sceneColors(Theme::Dark));
     scene.attachTo(window);
   }
   /// All benchmarks draw in one window: a display that nobody is connected to any more may end.

@@ -3,39 +3,26 @@
 // The matrix that the joint estimate of a simulated sheet of cells begins with: of its cells, at the tree's placements,
 // in three poses.
 
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
 #include "hexoderm/solve/estimate/patch_solver.h"
 #include "hexoderm/solve/global/elimination_plan.h"
 #include "hexoderm/solve/sparse/supernodes.h"
+#include "tests/support/estimated_links.h"
+#include "tests/support/simulated_skins.h"
 
 #include <Eigen/SparseCore>
 #include <memory>
-#include <string>
 #include <vector>
 
 namespace hexoderm {
 
-/// A sheet bent round a cylinder of a size that goes with it.
-inline SimulatedSkinOptions sheetOptions(std::int64_t rows, std::int64_t columns) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(columns);
-  options.surface = "cylinder:r=" + std::to_string(0.25 * static_cast<double>(columns) / 36);
-  return options;
-}
-
 struct SheetProblem {
-  SheetProblem(std::int64_t rows, std::int64_t columns)
-      : skin(builtInCellModel("hex-bma150"), sheetOptions(rows, columns)) {
-    const auto snapshot = simulateSession(skin, 3).snapshot();
-    std::vector<Finding> findings;
-    const SolverOptions options;
-    SkinLinks links(*snapshot, options, findings);
-    links.estimateEdges();
+  SheetProblem(std::size_t rows, std::size_t columns) {
+    const test::EstimatedLinks estimated(test::simulatedSession(test::bentSheet(rows, columns), 3));
+    const SkinLinks& links = estimated.links;
     const PatchSolver tree(links, linkWeights(links), 0);
     for (const TreePlacement& placed : tree.treePlacements()) placements.push_back(placed.T_o_u);
-    const GlobalRefinement joint(links.model(), links.graph(), links.table(), options, tree.cells(), tree.origin(),
-                                 placements);
+    const GlobalRefinement joint(links.model(), links.graph(), links.table(), estimated.options, tree.cells(),
+                                 tree.origin(), placements);
     model = links.model();
     problem = joint.problem();
     problem.model = &model;
@@ -44,7 +31,6 @@ struct SheetProblem {
   SheetProblem(const SheetProblem&) = delete;
   SheetProblem& operator=(const SheetProblem&) = delete;
 
-  SimulatedSkin skin;
   CellModel model;
   std::vector<SE3> placements;
   GlobalProblem problem;

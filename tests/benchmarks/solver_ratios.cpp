@@ -1,8 +1,8 @@
 // Times as ratios that hold on any computer, in one run: the CPU time of the tree and of the global solver in units of
-// 100,000 Eigen::JacobiSVD<Matrix3d>; how many times as long the Boost Graph Library takes to find the origin from all
-// pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from the same start. All that
-// on one core; then by how much the tree and the global solver are faster with all that there are. A hand holds the
-// poses, or, with --still, a table.
+// 100,000 Eigen::JacobiSVD<Matrix3d>, the tree stage by stage; how many times as long the Boost Graph Library takes to
+// find the origin from all pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from
+// the same start. All that on one core; then by how much the tree and the global solver are faster with all that there
+// are. A hand holds the poses, or, with --still, a table.
 //
 //   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve | --global] [--still]
 //
@@ -11,22 +11,32 @@
 #include "hexoderm/base/freed_memory.h"
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
+#include "hexoderm/base/vector_instructions.h"
 #include "hexoderm/skin/origin_search.h"
+#include "hexoderm/solve/estimate/patch_description.h"
+#include "hexoderm/solve/estimate/patch_solver.h"
+#include "hexoderm/solve/explain/explainer.h"
+#include "hexoderm/solve/faults/cell_health.h"
+#include "hexoderm/solve/faults/suspects.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/solve.h"
-#include "tests/benchmarks/boost_all_pairs.h"
+#include "hexoderm/solve/tree/edge_batches.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/factor_ratios.h"
-
+#include "tests/support/options.h"
+#include "tests/support/simulated_skins.h"
 #ifdef HEXODERM_HAS_CERES
 #include "tests/core/solve/global/ceres_oracle.h"
 #endif
 
+#include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -39,15 +49,12 @@ constexpr std::size_t kPoses = 3;
 /// Ceres takes minutes beyond that.
 constexpr std::size_t kMaxCellsForCeres = 10'000;
 
+/// Of a sheet that is about square.
+std::size_t rowsOf(std::size_t cells) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(cells))); }
 Session sheet(std::size_t cells, bool hand_held) {
-  const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(cells)));
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(cells / rows);
-  options.surface = "cylinder:r=" + formatExact(0.25 * std::sqrt(static_cast<double>(cells) / 1260));
-  options.seed = 3;
-  options.hand_held = hand_held;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  return simulateSession(skin, kPoses);
+  const std::size_t rows = rowsOf(cells);
+  return test::simulatedSession(
+      test::with(test::bentSheet(rows, cells / rows, 3), &SimulatedSkinOptions::hand_held, hand_held), kPoses);
 }
 
 void print(const std::string& what, double ms, double unit_ms) {
@@ -97,8 +104,7 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   const PatchSolver& patch = solved->patches().front();
   const GlobalProblem& problem = patch.joint()->problem();
   const GlobalState start = stateOfTree(snapshot, problem);
-  GlobalSolverOptions without_covariance;
-  without_covariance.covariance = false;
+  const auto without_covariance = test::with(&GlobalSolverOptions::covariance, false);
   double cost = 0;
   const double ms = least_ms([&] { cost = solveJointly(problem, start, without_covariance).cost; });
   print("joint cost from the tree, without covariances", ms, unit_ms);
@@ -117,6 +123,35 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
 }
 #endif
 
+/// All pairs by the Boost Graph Library: from every vertex of a small skin, and from some of a large one, times how
+/// many there are.
+double boostAllPairs_ms(const SkinGraph& skin, const std::vector<double>& weights) {
+  using Property = boost::property<boost::edge_weight_t, double>;
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property, Property>;
+  Graph graph(skin.cells().size());
+  for (std::size_t k = 0; k < skin.links().size(); ++k) {
+    const GraphLink& link = skin.links()[k];
+    if (link.muted()) continue;
+    boost::add_edge(link.source, link.target, Property(weights[k]), graph);
+    boost::add_edge(link.target, link.source, Property(weights[k]), graph);
+  }
+  const std::size_t cells = skin.cells().size();
+  const std::size_t step = std::max<std::size_t>(1, cells / 1000);
+  std::vector<double> distance(cells);
+  double sum = 0;
+  std::size_t sources = 0;
+  const double before = cpuTime_ms();
+  for (std::size_t source = 0; source < cells; source += step, ++sources) {
+    boost::dijkstra_shortest_paths_no_color_map(graph, source,
+                                                boost::distance_map(boost::make_iterator_property_map(
+                                                    distance.begin(), boost::get(boost::vertex_index, graph))));
+    sum += distance.back();
+  }
+  const double took = cpuTime_ms() - before;
+  if (sum == 0) std::abort();  // so that nothing is left out as unused
+  return took * static_cast<double>(cells) / static_cast<double>(sources);
+}
+
 void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree, double unit_ms) {
   const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, tree);
   const SkinGraph& graph = solved->skin().graph();
@@ -125,6 +160,58 @@ void compareWithBoost(const SessionSnapshot& snapshot, const SolverOptions& tree
   print("origin", ms, unit_ms);
   std::cout << "  Boost's all pairs take " << formatFixed(boostAllPairs_ms(graph, weights) / ms, 0)
             << " times as long\n";
+}
+
+/// The tree, stage by stage.
+void printStages(const SessionSnapshot& snapshot, SolverOptions options, double unit_ms) {
+  const auto row = [unit_ms](const std::string& what, double ms) { print("- " + what, ms, unit_ms); };
+  row("graph from reports", least_ms([&] { SkinGraph(*snapshot.model, *snapshot.neighbors); }));
+  std::vector<Finding> findings;
+  SkinLinks skin(snapshot, options, findings);
+  row("readings", least_ms([&] { GravityTable(snapshot, skin.graph(), findings); }));
+  row("cells judged", least_ms([&] { judgeCells(snapshot, skin.graph(), skin.table(), findings); }));
+  row("edges", least_ms([&] { skin.estimateEdges(); }));
+  {
+    std::vector<std::size_t> all(skin.graph().links().size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<EdgeRotation> edges(all.size());
+    std::vector<std::optional<double>> residuals(all.size() * skin.table().poseCount());
+    const auto in_batches = [&](const char* what, EdgeKernel kernel) {
+      row(what, least_ms([&] { estimateUsualEdges(skin, all, edges, residuals, kernel); }));
+    };
+    in_batches("  of these two at a time", estimateEdgesByTwo);
+    if (hasVectorInstructions()) in_batches("  of these four at a time", estimateEdgesByFour);
+  }
+  row("pair tests", least_ms([&] { static_cast<void>(SuspectSearch(skin)); }));
+  const std::vector<double> weights = linkWeights(skin);
+  OriginFound found;
+  const double origin_ms = least_ms([&] { found = searchOrigin(skin.graph(), weights, 0); });
+  row("origin, " + std::to_string(found.runs) + " runs", origin_ms);
+  ShortestPaths paths;
+  row("paths", least_ms([&] { paths = findShortestPaths(skin.graph(), weights, found.origin); }));
+  std::vector<Eigen::Matrix3d> attitudes;
+  row("attitudes", least_ms([&] {
+        attitudes.clear();
+        for (const std::size_t cell : skin.graph().patches().front()) {
+          attitudes.push_back(skin.attitudeCovariance(cell, paths.link[skin.graph().cells()[cell].place]));
+        }
+      }));
+  row("placements", least_ms([&] {
+        static_cast<void>(
+            placeAlongTree(skin.graph(), skin.model(), paths, skin.edges(), attitudes, gapShareOf(options.gap_model)));
+      }));
+  std::vector<PatchSolver> patches;
+  patches.emplace_back(skin, weights, 0);
+  std::vector<PatchReconstruction> described;
+  row("description", least_ms([&] { described = describePatches(skin, patches, weights); }));
+  row("flat layout", least_ms([&] { static_cast<void>(computeFlatLayout(skin.model(), described)); }));
+  options.weights = LinkWeights::Residual;
+  const std::vector<double> real = linkWeights(skin);
+  row("origin by residuals", least_ms([&] { found = searchOrigin(skin.graph(), real, 0); }));
+  options.weights = SolverOptions().weights;
+  Estimate estimate(snapshot, options);
+  static_cast<void>(estimate.bringTo(Estimate::Stage::Patches, {}));
+  row("attitudes searched for faults", least_ms([&] { static_cast<void>(makeAttitudeExplainer().explain(estimate)); }));
 }
 
 /// By the clock on the wall.
@@ -147,9 +234,9 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
   const auto snapshot = session.snapshot();
   std::cout << session.neighbors().size() << " cells, " << kPoses
             << (hand_held ? " poses in a hand:\n" : " still poses:\n");
-  SolverOptions tree;
-  tree.solver = Solver::Tree;
+  const SolverOptions tree = test::with(&SolverOptions::solver, Solver::Tree);
   print("tree, in memory", least_ms([&] { reconstruct(*snapshot, tree); }), unit_ms);
+  printStages(*snapshot, tree, unit_ms);
   print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, tree, SolveStage::Links); }), unit_ms);
   print("global from scratch", least_ms([&] { reconstruct(*snapshot); }), unit_ms);
   print("- until its cells are placed", least_ms([&] { placeOnly(*snapshot, {}, SolveStage::Patches); }), unit_ms);
@@ -205,9 +292,8 @@ int main(int argc, char** argv) {
   const double unit_ms = yardstick_ms();
   std::cout << "CPU time, and in units of 100,000 JacobiSVD<Matrix3d> (" << formatFixed(unit_ms, 1) << " ms)\n";
   for (const std::size_t cells : sizes) {
-    const auto rows = static_cast<std::int64_t>(std::sqrt(static_cast<double>(cells)));
     if (solve) compare(cells, hand_held, count_of_cores, unit_ms);
     std::cout << std::flush;
-    if (factor) compareFactors(rows, static_cast<std::int64_t>(cells) / rows);
+    if (factor) compareFactors(rowsOf(cells), cells / rowsOf(cells));
   }
 }

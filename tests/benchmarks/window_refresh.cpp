@@ -4,12 +4,12 @@
 
 #include "app/window/main_window/main_window.h"
 #include "hexoderm/base/freed_memory.h"
+#include "hexoderm/base/median.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/sim/simulated_session.h"
-#include "hexoderm/sim/simulated_skin.h"
 #include "tests/benchmarks/cpu_time.h"
-#include "tests/benchmarks/window_application.h"
+#include "tests/support/newcomer.h"
 #include "tests/support/qt_wait.h"
+#include "tests/support/simulated_skins.h"
 #include "widgets/patch/scene_widget.h"
 
 #include <vtkCallbackCommand.h>
@@ -18,17 +18,10 @@
 #include <QCommandLineParser>
 #include <QElapsedTimer>
 #include <QTextStream>
-#include <algorithm>
 #include <vector>
 
 namespace hexoderm {
 namespace {
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// What one new mean took, in ms.
 struct Refresh {
@@ -95,7 +88,7 @@ class Measurement {
   void settle() {
     constexpr int kPause_ms = 400;
     test::waitUntil([this] { return controller_.isCurrent(); });
-    letPass(kPause_ms);
+    QTest::qWait(kPause_ms);
   }
 
   MainWindow& window_;
@@ -110,14 +103,9 @@ class Measurement {
   double process_ms_ = 0;
 };
 
-int measure(const QString& folder, int rows, int columns, int times) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:" + std::to_string(rows) + "x" + std::to_string(columns);
-  options.surface = "cylinder:r=" + std::to_string(0.25 * std::sqrt(rows * columns / 1260.0));
-  options.seed = 3;
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+int measure(const QString& folder, std::size_t rows, std::size_t columns, int times) {
   const QString file = folder + QStringLiteral("/large.hexo");
-  writeSessionStore(simulateSession(skin, 4), file.toStdString());
+  writeSessionStore(test::simulatedSession(test::bentSheet(rows, columns, 3), 4), file.toStdString());
   MainWindow window;
   window.resize(1440, 900);
   window.show();
@@ -135,7 +123,7 @@ int measure(const QString& folder, int rows, int columns, int times) {
     for (const auto& [values, width] :
          {std::pair(&refresh.solved, 8), std::pair(&refresh.result, 8), std::pair(&refresh.picture, 9),
           std::pair(&refresh.window, 28), std::pair(&refresh.process, 16)}) {
-      out << QString::number(medianOf(*values), 'f', 1).rightJustified(width);
+      out << QString::number(median(*values), 'f', 1).rightJustified(width);
     }
     out << '\n';
     out.flush();
@@ -148,7 +136,9 @@ int measure(const QString& folder, int rows, int columns, int times) {
 
 int main(int argc, char** argv) {
   hexoderm::keepFreedMemory();  // as the program does
-  const hexoderm::WindowApplication window(argc, argv, "window_refresh");
+  const hexoderm::Newcomer newcomer;
+  const QApplication application(argc, argv);
+  hexoderm::applyTextFactor(1);
   QCommandLineParser parser;
   parser.addHelpOption();
   const QCommandLineOption rows(QStringLiteral("rows"), QStringLiteral("Rows of the sheet."), QStringLiteral("N"),
@@ -158,7 +148,7 @@ int main(int argc, char** argv) {
   const QCommandLineOption times(QStringLiteral("times"), QStringLiteral("So many new means."), QStringLiteral("N"),
                                  QStringLiteral("25"));
   parser.addOptions({rows, columns, times});
-  parser.process(window.application());
-  return hexoderm::measure(window.home(), parser.value(rows).toInt(), parser.value(columns).toInt(),
+  parser.process(application);
+  return hexoderm::measure(newcomer.folder(), parser.value(rows).toULong(), parser.value(columns).toULong(),
                            parser.value(times).toInt());
 }

@@ -18,8 +18,6 @@
 #include "tests/fuzz/scratch_file.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 namespace {
@@ -36,13 +34,8 @@ const fuzz::ScratchFile& scratch() {
   return file;
 }
 
-Bytes contentOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
 /// A file with a session, or only with its tables.
-Bytes makeGoodFile(bool with_session) {
+std::string makeGoodFile(bool with_session) {
   const fuzz::ScratchFile file("good.hexo");
   if (with_session) {
     NeighborList cells = {{CellId(1), "arm", {{PortNumber(2), CellId(2), PortNumber(3)}}},
@@ -61,15 +54,15 @@ Bytes makeGoodFile(bool with_session) {
     database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");
     migrate(database, storeMigrations());
   }
-  return contentOf(file.path());
+  return readFile(file.path());
 }
 
 void changeGoodFile(FuzzInput& input) {
-  static const Bytes good = makeGoodFile(true);
-  Bytes changed = good;
+  static const std::string good = makeGoodFile(true);
+  std::string changed = good;
   while (!input.atEnd()) {
     const std::size_t place = input.shortNumber();
-    changed[place % changed.size()] = input.byte();
+    changed[place % changed.size()] = static_cast<char>(input.byte());
   }
   scratch().write(changed);
 }
@@ -104,7 +97,7 @@ std::pair<JournalEntry, std::optional<Bytes>> readEntry(FuzzInput& input) {
 
 /// Rows that the tables themselves refuse (a number twice, for one) are left out.
 void writeJournal(FuzzInput& input) {
-  static const Bytes good = makeGoodFile(false);
+  static const std::string good = makeGoodFile(false);
   scratch().write(good);
   Database database(scratch().path().string(), "fuzz.hexo", Database::Mode::ReadWrite);
   database.run("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=OFF");
@@ -152,7 +145,6 @@ void requireFinite(const std::vector<SampleFrame>& frames) {
 /// Cells, poses and truth are the same in a new file: its digests say so.
 void requireSameAgain(const Session& session) {
   const fuzz::ScratchFile first("first.hexo");
-  const fuzz::ScratchFile second("second.hexo");
   writeSessionStore(session, first.path());
   const Session again = readSessionStore(first.path());
   fuzz::require(again.neighbors() == session.neighbors(), "the same cells again");
@@ -188,7 +180,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   FuzzInput input({data, size});
   switch (input.byte()) {
     case 'R':
-      scratch().write(input.rest());
+      scratch().write(fuzz::asText(input.rest()));
       break;
     case 'P':
       changeGoodFile(input);
@@ -196,11 +188,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     default:
       writeJournal(input);
   }
-  const Bytes before = contentOf(scratch().path());
+  const std::string before = readFile(scratch().path());
   readStore();
   // As they come from a pipe.
-  fuzz::takeOrComplain([&] { fuzz::requireSound(parseSessionStore(fuzz::asText(before), "fuzz.hexo")); });
-  fuzz::require(contentOf(scratch().path()) == before, "a file that is only read to stay as it was");
+  fuzz::takeOrComplain([&] { fuzz::requireSound(parseSessionStore(before, "fuzz.hexo")); });
+  fuzz::require(readFile(scratch().path()) == before, "a file that is only read to stay as it was");
   fuzz::require(scratch().isAlone(), "nothing left beside a file that is only read");
   return 0;
 }

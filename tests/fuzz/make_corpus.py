@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
-"""Makes the inputs in tests/fuzz/corpus that are derived: from tests/data and from a few small sessions written out here.
+"""Makes the inputs in tests/fuzz/corpus that are of Hexoderm's own formats, which may change: from tests/data and from a few
+small sessions written out here. All other inputs are files like any others.
 
-Inputs that once crashed something are beside them under other names and are never touched.
 Usage: tests/fuzz/make_corpus.py [HEXODERM_CLI]      with the program also calibrations, which it solves
 """
-import base64
 import json
 import pathlib
 import sqlite3
@@ -15,6 +14,7 @@ import tempfile
 
 HERE = pathlib.Path(__file__).parent
 DATA = HERE.parent / "data"
+MODEL = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
 LENGTH, COBS, LINES, DETECTED, RECORDING, GOOD_BODIES = 0, 1, 2, 3, 4, 8
 
 
@@ -72,9 +72,7 @@ def skinwire_device():
 
 def documents():
     put("session_json", "three_cells", (DATA / "three_cells.session.json").read_bytes())
-    put("tum_xml", "two_patches", (DATA / "two_patches.tum.xml").read_bytes())
-    model = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
-    session = {"format": "hexoderm-session", "version": 1, "cell_model": model, "cells": [{"id": 1, "ports": []}],
+    session = {"format": "hexoderm-session", "version": 1, "cell_model": MODEL, "cells": [{"id": 1, "ports": []}],
                "poses": [{"id": 1, "taken_at_ms": 1, "disabled": True, "why_disabled": "moved",
                           "samples": [{"cell": 1, "mean_g": [0, 0, 1], "temperature_c": 21.5}]}]}
     put("session_json", "own_model", json.dumps(session).encode())
@@ -93,12 +91,7 @@ def hostile_documents():
     session["poses"][0]["samples"][0]["cov_g2"] = [1e-6, 2e-6, 0, 1e-6, 0, 1e-6]
     put("session_json", "indefinite", json.dumps(session).encode())
     put("session_json", "cells_minus_one", json.dumps({**session, "cells": -1}).encode())
-    model = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
-    put("session_json", "cell_of_15_m", json.dumps({**session, "cell_model": {**model, "side_m": 15}}).encode())
-    xml = (DATA / "two_patches.tum.xml").read_text()
-    put("tum_xml", "nested", ("<SkinConfig>" * 1000).encode())
-    put("tum_xml", "control_characters", xml.replace("<pos", "<pos\x1b[31m", 1).encode())
-    put("tum_xml", "element_twice", xml.replace("<rootCellId>", "<rootCellId>1</rootCellId><rootCellId>", 1).encode())
+    put("session_json", "cell_of_15_m", json.dumps({**session, "cell_model": {**MODEL, "side_m": 15}}).encode())
 
 
 def calibrations(program):
@@ -132,7 +125,6 @@ def forged_database(schema):
 
 
 def hexo():
-    model = json.loads((HERE.parent.parent / "resources/cell_models/hex-bma150.json").read_text())
     cells = [{"id": 1, "ports": [{"port": 2, "cell": 2, "cell_port": 3}]},
              {"id": 2, "body_part": "arm", "ports": [{"port": 3, "cell": 1}]}]
     samples = b"".join(struct.pack("<4I10d", cell, 100, 1, 0, 0, 0, 1, 1e-6, 0, 0, 1e-6, 0, 1e-6, 21.5)
@@ -140,7 +132,7 @@ def hexo():
     raw = struct.pack("<2Id3I", 4, 1, 0.5, 1, 1, 1)
     raw += struct.pack("<I3f", 1, 0, 0, 1) + struct.pack("<2I6f", 2, 10, 0, 0, 1, 0, 0, 0) + struct.pack("<If", 1, 20)
     raw_long = struct.pack("<2Id3I", 8, 1, 0.5, 1, 0, 0) + struct.pack("<I3d", 1, 0, 0, 0.1)
-    skin = entry("skin", {"cell_model": model, "cells": cells})
+    skin = entry("skin", {"cell_model": MODEL, "cells": cells})
     truth = {"frame": "body", "cells": [{"id": 1, "R": [1, 0, 0, 0, 1, 0, 0, 0, 1], "t_m": [0, 0, 0.1]}]}
     captures = (entry("capture", {"pose": 1, "place": 0, "cells": 2, "label": "table", "raw_sha256": "$RAW"}, samples, raw) +
                 entry("capture", {"pose": 2, "place": 1, "cells": 2, "taken_at_ms": 5, "raw_sha256": "$RAW"}, samples,
@@ -156,11 +148,11 @@ def hexo():
         entry("joints", {"capture": 2, "joint_angles": []}))
     put("hexo", "journal_without_skin", b"J" + captures)
     # Journals whose digests are right, by somebody who means harm.
-    twice = json.dumps({"cell_model": model, "cells": cells}).encode()[:-1] + b', "cells": []}'
+    twice = json.dumps({"cell_model": MODEL, "cells": cells}).encode()[:-1] + b', "cells": []}'
     put("hexo", "journal_key_twice", b"J" + entry("skin", twice))
     put("hexo", "journal_nested", b"J" + skin + entry("options", b"[" * 3000))
-    put("hexo", "journal_cells_minus_one", b"J" + entry("skin", {"cell_model": model, "cells": -1}))
-    put("hexo", "journal_cell_of_15_m", b"J" + entry("skin", {"cell_model": {**model, "side_m": 15}, "cells": cells}))
+    put("hexo", "journal_cells_minus_one", b"J" + entry("skin", {"cell_model": MODEL, "cells": -1}))
+    put("hexo", "journal_cell_of_15_m", b"J" + entry("skin", {"cell_model": {**MODEL, "side_m": 15}, "cells": cells}))
     put("hexo", "journal_control_characters",
         b"J" + skin + entry("source", {"text": "\x1b[2J\x9b", "file": "\n\r", "sha256": "\x07"}) +
         entry("mute", {"source": 1, "source_port": 2, "target": 2, "target_port": 3, "why": "\x1b]0;x\x07"}) +
@@ -179,98 +171,9 @@ def hexo():
     put("hexo", "no_database", b"R" + b"SQLite format 3\0" + bytes(84))
 
 
-def robots():
-    demo = (HERE.parent.parent / "resources/robot/demo_arm.urdf").read_bytes()
-    put("urdf", "demo_arm", demo)
-    put("urdf", "loop", demo.replace(b'<parent link="base"/>', b'<parent link="forearm"/>'))
-    put("urdf", "two_parents", demo.replace(b'<child link="hand"/>', b'<child link="shoulder"/>'))
-    put("urdf", "xacro", demo.replace(b'<link name="base">', b'<xacro:include filename="x"/><link name="base">'))
-    put("urdf", "package", demo.replace(b"meshes/", b"package://arm/meshes/"))
-    put("urdf", "mimic_circle", demo.replace(b'<mimic joint="grip"/>', b'<mimic joint="grip_other"/>'))
-    put("urdf", "not_finite", demo.replace(b'xyz="0 0 0.29"', b'xyz="0 nan 1e999"'))
-    put("joint_angles_csv", "units", b"pose,elbow[deg],wrist_rad,lift (mm)\n1,90,0.5,100\n2,-1e-3,0,0\n")
-    put("joint_angles_csv", "times", b"# unit: deg\ntime[ms];wrist;lift[m]\n1000;1;0\n2000;\"3\";0.1\n")
-
-
-POINTS = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0.5, 0.5, -1.25)]
-FACES = [(3, 2, 1, 0), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)]
-TRIANGLES = [(face[0], face[k - 1], face[k]) for face in FACES for k in range(2, len(face))]
-
-
-def words(rows):
-    return " ".join(f"{number:g}" for row in rows for number in row)
-
-
-def plys():
-    for form, order in (("ascii", None), ("binary_little_endian", "<"), ("binary_big_endian", ">")):
-        header = (f"ply\nformat {form} 1.0\ncomment of the corpus\nelement vertex 5\nproperty float x\nproperty double y\n"
-                  "property float z\nproperty uchar red\nelement face 5\nproperty list uchar int vertex_indices\nend_header\n")
-        if order:
-            body = b"".join(struct.pack(order + "fdfB", *point, 200) for point in POINTS)
-            body += b"".join(struct.pack(f"{order}B{len(face)}i", len(face), *face) for face in FACES)
-        else:
-            body = ("".join(f"{x} {y} {z} 200\n" for x, y, z in POINTS) +
-                    "".join(f"{len(face)} {words([face])}\n" for face in FACES)).encode()
-        put("mesh", form + ".ply", header.encode() + body)
-
-
-def collada():
-    params = "".join(f'<param name="{axis}" type="float"/>' for axis in "XYZ")
-    vertex = '<input semantic="VERTEX" source="#v" offset="0"/>'
-    polygons = (f'<polylist count="2">{vertex}<vcount>4 3</vcount><p>{words(FACES[:2])}</p></polylist>'
-                f'<triangles count="3">{vertex}<p>{words(FACES[2:])}</p></triangles>')
-    return (f"""<?xml version="1.0" encoding="utf-8"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><unit name="inch" meter="0.0254"/>
-<up_axis>Y_UP</up_axis></asset><library_geometries><geometry id="g"><mesh><source id="s"><float_array id="a" count="15">
-{words(POINTS)}</float_array><technique_common><accessor source="#a" count="5" stride="3">{params}</accessor>
-</technique_common></source><vertices id="v"><input semantic="POSITION" source="#s"/></vertices>{polygons}</mesh></geometry>
-</library_geometries><library_nodes><node id="part"><instance_geometry url="#g"/></node></library_nodes>
-<library_visual_scenes><visual_scene id="vs"><node id="n"><translate>1 2 3</translate><rotate>0 0 1 30</rotate>
-<scale>2 1 1</scale><instance_node url="#part"/><node id="inner"><matrix>0 -1 0 5 1 0 0 0 0 0 1 0 0 0 0 1</matrix>
-<instance_geometry url="#g"/></node></node></visual_scene></library_visual_scenes>
-<scene><instance_visual_scene url="#vs"/></scene></COLLADA>""".encode())
-
-
-def gltfs():
-    positions = b"".join(struct.pack("<3f", *point) for point in POINTS)
-    binary = positions + b"".join(struct.pack("<3H", *triangle) for triangle in TRIANGLES)
-    document = {"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
-                "nodes": [{"children": [1, 2], "translation": [1, 2, 3], "rotation": [0, 0, 0.6, 0.8], "scale": [2, 1, 1]},
-                          {"mesh": 0}, {"mesh": 0, "matrix": [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 5, 0, 0, 1]}],
-                "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "mode": 4}]}],
-                "accessors": [{"bufferView": 0, "componentType": 5126, "count": 5, "type": "VEC3", "min": [0, 0, -1.25],
-                               "max": [1, 1, 0]},
-                              {"bufferView": 1, "componentType": 5123, "count": 3 * len(TRIANGLES), "type": "SCALAR"}],
-                "bufferViews": [{"buffer": 0, "byteLength": len(positions), "byteStride": 12},
-                                {"buffer": 0, "byteOffset": len(positions), "byteLength": len(binary) - len(positions)}],
-                "buffers": [{"byteLength": len(binary)}]}
-    text = json.dumps(document).encode()
-    chunks = b"".join(struct.pack("<I", (len(content) + 3) // 4 * 4) + kind + content + pad * (-len(content) % 4)
-                      for kind, content, pad in ((b"JSON", text, b" "), (b"BIN\0", binary, b"\0")))
-    put("mesh", "binary.glb", b"glTF" + struct.pack("<II", 2, 12 + len(chunks)) + chunks)
-    data = "data:application/octet-stream;base64," + base64.b64encode(binary).decode()
-    document["buffers"][0]["uri"] = data
-    put("mesh", "data.gltf", json.dumps(document).encode())
-
-
-def meshes():
-    facets = "".join("facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {words([POINTS[k]])}\n" for k in triangle) +
-                     "endloop\nendfacet\n" for triangle in TRIANGLES)
-    put("mesh", "ascii.stl", f"solid pyramid\n{facets}endsolid pyramid\n".encode())
-    put("mesh", "binary.stl", b"solid in name only".ljust(80) + struct.pack("<I", len(TRIANGLES)) + b"".join(
-        struct.pack("<12fH", 0, 0, 0, *POINTS[a], *POINTS[b], *POINTS[c], 0) for a, b, c in TRIANGLES))
-    put("mesh", "polygons.obj", ("# pyramid\n" + "".join(f"v {words([point])}\n" for point in POINTS) + "vt 0 0\nvn 0 0 1\n" +
-        "f 4/1/1 3/1/1 2/1/1 1/1/1\nf 1//1 2//1 5//1\nf 2 3 5\nf -2/1 -1/1 -3/1\nf 4 1 5\n").encode())
-    put("mesh", "scene.dae", collada())
-    plys()
-    gltfs()
-
-
 skinwire()
 skinwire_device()
 documents()
-robots()
-meshes()
 hostile_documents()
 hexo()
 if len(sys.argv) > 1:

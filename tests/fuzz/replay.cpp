@@ -2,25 +2,19 @@
 // by mutated(), the same in every run. A crash fails; the last input that was named is the one that crashes. Usage:
 // PROGRAM FOLDER [MUTATIONS]
 
+#include "hexoderm/base/file.h"
 #include "tests/fuzz/fuzz_checks.h"
 #include "tests/fuzz/mutations.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <random>
 #include <string>
 #include <vector>
 
 namespace {
-
-std::string contentOf(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 void give(const std::string& bytes) {
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
@@ -38,7 +32,7 @@ int main(int argc, char** argv) {
   if (mutations == 0) {
     for (const std::filesystem::path& file : files) {
       std::cout << file.string() << std::endl;
-      give(contentOf(file));
+      give(hexoderm::readFile(file));
       ++count;
     }
   }
@@ -46,7 +40,7 @@ int main(int argc, char** argv) {
     const std::filesystem::path& file = files[count % files.size()];
     std::cout << file.filename().string() << ", mutation " << count << std::endl;
     std::mt19937_64 random(count);
-    give(hexoderm::fuzz::mutated(contentOf(file), random));
+    give(hexoderm::fuzz::mutated(hexoderm::readFile(file), random));
   }
   std::cout << count << " inputs given\n";
   return count > 0 ? EXIT_SUCCESS : EXIT_FAILURE;

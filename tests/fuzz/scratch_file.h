@@ -1,26 +1,21 @@
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <span>
+#include "tests/support/temporary_folder.h"
 
 namespace hexoderm::fuzz {
 
 /// A file of this process, in a folder that goes away with it; in memory where the system has a folder for that.
 class ScratchFile {
  public:
-  explicit ScratchFile(const char* name);
-  ~ScratchFile();
-  ScratchFile(const ScratchFile&) = delete;
-  ScratchFile& operator=(const ScratchFile&) = delete;
-
-  void write(std::span<const std::uint8_t> bytes) const;
+  explicit ScratchFile(const char* name) : path_(folder_.path() / name) {}
+  void write(std::string_view bytes) const { folder_.put(path_.filename(), bytes); }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Whether the file is alone in its folder: nothing was left beside it.
-  [[nodiscard]] bool isAlone() const;
+  /// Whether nothing was left beside it.
+  [[nodiscard]] bool isAlone() const { return folder_.entryCount() == 1; }
 
  private:
-  std::filesystem::path folder_;
+  test::TemporaryFolder folder_{std::filesystem::is_directory("/dev/shm") ? "/dev/shm"
+                                                                          : std::filesystem::temp_directory_path()};
   std::filesystem::path path_;
 };
 

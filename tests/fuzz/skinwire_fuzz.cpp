@@ -12,6 +12,7 @@
 #include "tests/fuzz/scratch_file.h"
 #include "tests/fuzz/wire_bytes.h"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -195,7 +196,7 @@ std::vector<Decoded> readRecording(ByteView records) {
   std::vector<Decoded> all;
   Bytes bytes = {'S', 'K', 'I', 'N', 'R', 'E', 'C', '1'};
   append(records, bytes);
-  file.write(bytes);
+  file.write(fuzz::asText(bytes));
   RecordingReader reader(file.path());
   std::chrono::microseconds last{};
   while (const std::optional<RecordedBody> record = reader.next()) {
@@ -218,24 +219,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (has_bodies) assembled = assemble(stream, input);
   const ByteView bytes = has_bodies ? ByteView(assembled) : input.rest();
 
-  std::vector<Decoded> messages;
-  switch (stream) {
-    case Stream::Length:
-      messages = decodeStream(Framing::Length, bytes, piece);
-      break;
-    case Stream::Cobs:
-      messages = decodeStream(Framing::Cobs, bytes, piece);
-      break;
-    case Stream::Lines:
-      messages = decodeStream(Framing::Lines, bytes, piece);
-      break;
-    case Stream::Detected:
-      messages = decodeStream(std::nullopt, bytes, piece);
-      break;
-    case Stream::Recording:
-      messages = readRecording(bytes);
-      break;
-  }
+  static constexpr std::array<std::optional<Framing>, 4> kFramings = {Framing::Length, Framing::Cobs, Framing::Lines,
+                                                                      std::nullopt};
+  const std::vector<Decoded> messages =
+      stream == Stream::Recording ? readRecording(bytes)
+                                  : decodeStream(kFramings.at(static_cast<std::size_t>(stream)), bytes, piece);
   Host host;
   for (const Decoded& message : messages) host.take(message);
   return 0;

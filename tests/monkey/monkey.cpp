@@ -5,10 +5,10 @@
 //          [--trace]
 
 #include "app/window/main_window/main_window.h"
-#include "app/window/settings/preferences.h"
 #include "hexoderm/session/session_store.h"
-#include "hexoderm/sim/simulated_session.h"
 #include "tests/monkey/watchdog.h"
+#include "tests/support/newcomer.h"
+#include "tests/support/simulated_skins.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -19,8 +19,6 @@
 #include <QFileDialog>
 #include <QPointer>
 #include <QSettings>
-#include <QStandardPaths>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QWheelEvent>
@@ -255,15 +253,6 @@ class Monkey : public QObject {
   std::map<QString, int> counts_;
 };
 
-QString writeLargeSession(const QString& path) {
-  SimulatedSkinOptions options;
-  options.patch = "sheet:30x42";
-  options.surface = "cylinder:r=0.3";
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
-  writeSessionStore(simulateSession(skin, 3, 20), path.toStdString());
-  return path;
-}
-
 /// Time that is not held against the window.
 struct Discount {
   bool load = false;
@@ -305,11 +294,9 @@ void report(const Monkey& monkey, const test::Watchdog& watchdog, std::uint64_t 
 }  // namespace
 
 int main(int argc, char** argv) {
-  installStyle();
+  const Newcomer newcomer;
   QApplication application(argc, argv);
   QApplication::setQuitOnLastWindowClosed(false);
-  QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));
-  QCoreApplication::setApplicationName(QStringLiteral("monkey"));
   QCommandLineParser parser;
   const QCommandLineOption minutes(QStringLiteral("minutes"), QString(), QStringLiteral("M"), QStringLiteral("20"));
   const QCommandLineOption seed(QStringLiteral("seed"), QString(), QStringLiteral("N"), QStringLiteral("1"));
@@ -320,17 +307,13 @@ int main(int argc, char** argv) {
   parser.addOptions({minutes, seed, limit, discount_load, discount_stolen, trace});
   parser.process(application);
 
-  const QTemporaryDir folder;
-  QStandardPaths::setTestModeEnabled(true);
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.filePath(QStringLiteral("settings")));
-  QSettings().setValue(QStringLiteral("paths/last"), folder.path());
-  QDir::setCurrent(folder.path());
+  QSettings().setValue(QStringLiteral("paths/last"), newcomer.folder());
+  QDir::setCurrent(newcomer.folder());
   SwallowUrls swallow;
   QDesktopServices::setUrlHandler(QStringLiteral("file"), &swallow, "take");
-  applyTextFactor(Preferences().textFactor());
-  const QString large = writeLargeSession(folder.filePath(QStringLiteral("large.hexo")));
-
+  applyTextFactor(1);
+  const QString large = newcomer.folder() + QStringLiteral("/large.hexo");
+  writeSessionStore(test::simulatedSession(test::bentSheet(30, 42), 3, 20), large.toStdString());
   const double limit_ms = parser.value(limit).toDouble();
   bool failed = false;
   {

@@ -23,7 +23,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 CLI = ROOT / "build/release/app/cli/hexoderm-cli"
-PICTURES = ROOT / "build/release/tests/screenshots/hexoderm-blind-pictures"
+PICTURES = ROOT / "build/release/tests/screenshots/hexoderm-screenshots"
 
 PATCHES = [
     ("x17", "cylinder:r=0.05", 17),

@@ -1,16 +1,20 @@
 // Pictures of the real window in every step and of its dialogs, see packaging/screenshots.sh. Fails if a text is cut
-// off or lies over another, or if the window is larger than it should be.
-
+// off or lies over another, or if the window is larger than it should be. Of sessions that are named: the 3D view alone
+// as the window draws it when the file is opened, to be shown to people who are asked which cell is bad
+// (blind_test.py).
 #include "app/window/main_window/main_window.h"
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
-#include "tests/screenshots/newcomer.h"
 #include "tests/screenshots/screenshot_tour.h"
+#include "tests/support/color_vision.h"
+#include "tests/support/newcomer.h"
+#include "tests/support/qt_wait.h"
+#include "widgets/patch/patch_view.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QTextStream>
-
 namespace {
 
 using namespace hexoderm;
@@ -22,8 +26,62 @@ int complain(const QString& message, int code) {
   return code;
 }
 
-}  // namespace
+struct Eyes {
+  const char* name;
+  ColorMatrix matrix;
+};
 
+const std::array<Eyes, 4> kEyes = {{{"all-colours", kAllColours},
+                                    {"protanopia", kProtanopia},
+                                    {"deuteranopia", kDeuteranopia},
+                                    {"tritanopia", kTritanopia}}};
+
+QImage seenBy(const ColorMatrix& eyes, const QImage& picture) {
+  QImage seen = picture.convertToFormat(QImage::Format_RGB32);
+  for (int y = 0; y < seen.height(); ++y) {
+    for (int x = 0; x < seen.width(); ++x) {
+      const QColor color = seen.pixelColor(x, y);
+      const Rgb other = hexoderm::seenBy(eyes, {color.redF(), color.greenF(), color.blueF()});
+      seen.setPixelColor(x, y, QColor::fromRgbF(other[0], other[1], other[2]));
+    }
+  }
+  return seen;
+}
+
+/// A picture for each kind of eyes in a folder of its own: FOLDER-EYES/NAME.png.
+int takeBlindPictures(const QString& folder, const QStringList& sessions, ThemeChoice theme, const QSize& size) {
+  for (const QString& path : sessions) {
+    MainWindow window;  // as after a start, whatever was seen before
+    window.setThemeChoice(theme, false);
+    window.resize(size);
+    window.show();
+    window.openFile(path);
+    const SessionController& controller = window.controller();
+    const QString name = QFileInfo(path).fileName();
+    if (!test::waitUntil([&] {
+          return controller.work().activity().isEmpty() && !controller.isSolving() && controller.reconstruction() &&
+                 controller.file().name() == name;
+        })) {
+      return complain(QStringLiteral("%1 gives no result.").arg(path), 1);
+    }
+    window.showChanges();
+    static_cast<void>(window.picture());  // settles all
+    auto* view = window.findChild<PatchView*>();
+    view->drawNow();
+    const QImage picture = view->grab().toImage();
+    for (const Eyes& eyes : kEyes) {
+      const QDir of_eyes(QStringLiteral("%1-%2").arg(folder, QString::fromLatin1(eyes.name)));
+      const QString file = of_eyes.filePath(name.section(QLatin1Char('.'), 0, 0) + QStringLiteral(".png"));
+      if (!of_eyes.mkpath(QStringLiteral(".")) || !seenBy(eyes.matrix, picture).save(file)) {
+        return complain(QStringLiteral("%1 could not be written.").arg(file), 1);
+      }
+    }
+    window.close();
+  }
+  return 0;
+}
+
+}  // namespace
 int main(int argc, char** argv) {
   const Newcomer newcomer;
   QApplication app(argc, argv);
@@ -32,6 +90,8 @@ int main(int argc, char** argv) {
   parser.setApplicationDescription(QStringLiteral("Takes pictures of Hexoderm's window on a tour through the demo."));
   parser.addHelpOption();
   parser.addPositionalArgument(QStringLiteral("DIR"), QStringLiteral("The folder for the pictures."));
+  parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("Sessions: the 3D view alone of each."),
+                               QStringLiteral("[FILE...]"));
   const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("The window's size in pixels."),
                                 QStringLiteral("WxH"), QStringLiteral("1280x800"));
   const QCommandLineOption width(QStringLiteral("width"),
@@ -46,8 +106,8 @@ int main(int argc, char** argv) {
   parser.addOptions({size, width, language, theme, text});
   parser.process(app);
 
-  if (parser.positionalArguments().size() != 1)
-    return complain(QStringLiteral("One folder, please; see --help."), kUsage);
+  const QStringList arguments = parser.positionalArguments();
+  if (arguments.isEmpty()) return complain(QStringLiteral("A folder, please; see --help."), kUsage);
   const QStringList sides = parser.value(size).split(QLatin1Char('x'));
   const QSize window_size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : QSize();
   if (window_size.isEmpty()) return complain(QStringLiteral("--size takes a size, for example 1280x800."), kUsage);
@@ -63,6 +123,10 @@ int main(int argc, char** argv) {
 
   const QString texts_language = installTranslations(app, parser.value(language));
   applyTextFactor(text_percent / 100.0);
+  if (arguments.size() > 1) {
+    const QString folder = arguments.front() + QLatin1Char('/') + parser.value(theme);
+    return takeBlindPictures(folder, arguments.mid(1), *choice, window_size);
+  }
   MainWindow window;
   window.setThemeChoice(*choice, false);
   const QString prefix =
@@ -72,7 +136,7 @@ int main(int argc, char** argv) {
       (window.devicePixelRatioF() == 1 ? QString()
                                        : QStringLiteral("-scale%1").arg(qRound(100 * window.devicePixelRatioF())));
   const QStringList problems =
-      ScreenshotTour(window, QDir(parser.positionalArguments().front()), prefix, largest_width_px).run(window_size);
+      ScreenshotTour(window, QDir(arguments.front()), prefix, largest_width_px).run(window_size);
   for (const QString& problem : problems) complain(problem, 0);
   return problems.isEmpty() ? 0 : 1;
 }

@@ -3,34 +3,23 @@
 #include "app/window/guide/guide.h"
 #include "app/window/main_window/main_window.h"
 #include "tests/screenshots/text_fit.h"
+#include "tests/support/qt_wait.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/patch/patch_view.h"
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QDialog>
-#include <QElapsedTimer>
 #include <QImage>
 #include <QTabBar>
-#include <functional>
 #include <utility>
 
 namespace hexoderm {
 namespace {
 
-constexpr int kPatience_ms = 120000;
 constexpr std::size_t kMaxPoses = 8;
 
-bool waitUntil(const std::function<bool()>& condition) {
-  QElapsedTimer timer;
-  timer.start();
-  while (!condition()) {
-    if (timer.elapsed() > kPatience_ms) return false;
-    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 20);
-    QCoreApplication::sendPostedEvents();
-  }
-  return true;
-}
+using test::waitUntil;
 
 /// Layouts ask each other for room, step by step.
 void settle() {

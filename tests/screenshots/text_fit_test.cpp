@@ -22,15 +22,22 @@ QStringList textsOf(const std::vector<CutText>& cut) {
   return texts;
 }
 
+/// A window of a size, for parts that are put into it.
+struct Window : QWidget {
+  Window(int width, int height) { QWidget::resize(width, height); }
+  void appear() {
+    show();
+    EXPECT_TRUE(test::waitUntilExposed(*this));
+  }
+};
+
 /// A window with one part, which is given its size.
 template <class Part>
 QStringList cutIn(Part* part, QSize size) {
-  QWidget window;
+  Window window(1000, 400);
   part->setParent(&window);
   part->setGeometry(QRect(QPoint(4, 4), size));
-  window.resize(1000, 400);
-  window.show();
-  EXPECT_TRUE(test::waitUntilExposed(window));
+  window.appear();
   const QStringList texts = textsOf(findCutTexts(window));
   part->setParent(nullptr);
   return texts;
@@ -69,15 +76,13 @@ TEST(TextFit, FindsAWrappedTextThatIsTooTall) {
 }
 
 TEST(TextFit, FindsWhatHangsOverAnEdgeUnlessItScrolls) {
-  QWidget window;
+  Window window(900, 300);
   auto* part = new QWidget(&window);
   auto* label = new QLabel(kText, part);
-  window.resize(900, 300);
   part->setGeometry(0, 0, 500, 200);
   label->move(450, 0);
   label->adjustSize();
-  window.show();
-  ASSERT_TRUE(test::waitUntilExposed(window));
+  window.appear();
   EXPECT_TRUE(textsOf(findCutTexts(window)).contains(kText));
   label->move(0, 0);
   EXPECT_TRUE(findCutTexts(window).empty());
@@ -95,26 +100,22 @@ TEST(TextFit, FindsWhatHangsOverAnEdgeUnlessItScrolls) {
 }
 
 TEST(TextFit, BelievesAPartThatDrawsItself) {
-  QWidget window;
-  window.resize(100, 100);
+  Window window(100, 100);
   auto* part = new QWidget(&window);
   part->resize(50, 50);
-  window.show();
-  ASSERT_TRUE(test::waitUntilExposed(window));
+  window.appear();
   EXPECT_TRUE(findCutTexts(window).empty());
   part->setProperty("textIsCut", true);
   EXPECT_EQ(findCutTexts(window).size(), 1U);
 }
 
 TEST(TextFit, FindsTextsThatLieOverEachOtherAndNoOthers) {
-  QWidget window;
-  window.resize(400, 200);
+  Window window(400, 200);
   auto* one = new QLabel(kText, &window);
   auto* other = new QPushButton(QStringLiteral("Another"), &window);
   one->setGeometry(10, 10, 200, 30);
   other->setGeometry(10, 60, 200, 30);
-  window.show();
-  ASSERT_TRUE(test::waitUntilExposed(window));
+  window.appear();
   EXPECT_EQ(findOverlaps(window), QStringList());
   other->move(100, 30);
   EXPECT_EQ(findOverlaps(window).size(), 1);
@@ -123,16 +124,14 @@ TEST(TextFit, FindsTextsThatLieOverEachOtherAndNoOthers) {
 }
 
 TEST(TextFit, FindsWhatScrollsSideways) {
-  QWidget window;
-  window.resize(500, 300);
+  Window window(500, 300);
   auto* area = new QScrollArea(&window);
   area->setObjectName(QStringLiteral("area"));
   area->resize(400, 200);
   auto* inner = new QWidget;
   inner->resize(200, 100);
   area->setWidget(inner);
-  window.show();
-  ASSERT_TRUE(test::waitUntilExposed(window));
+  window.appear();
   EXPECT_EQ(findSidewaysScrolling(window), QStringList());
   inner->resize(900, 100);
   test::letTurnsPass();
@@ -177,11 +176,7 @@ TEST(ScreenshotTour, IsAProgramThatRefusesArgumentsThatMakeNoSense) {
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--size=nonsense"), folder.path()}), 2);
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {QStringLiteral("--theme=pink"), folder.path()}), 2);
   EXPECT_EQ(exitCodeOf(HEXODERM_SCREENSHOTS_PROGRAM, {}), 2);
-}
-
-TEST(ScreenshotTour, IsNoOptionOfTheShippedProgram) {
-  const QTemporaryDir folder;
-  EXPECT_EQ(exitCodeOf(HEXODERM_PROGRAM, {QStringLiteral("--screenshots"), folder.path()}), 1);
+  EXPECT_EQ(exitCodeOf(HEXODERM_PROGRAM, {QStringLiteral("--screenshots"), folder.path()}), 1) << "not of the shipped";
 }
 
 }  // namespace

@@ -66,23 +66,24 @@ TEST(Documentation, TheSchemaOfCalibrationsHasTheNamesOfTheCode) {
   const auto calibration = nlohmann::json::parse(fileOfTheProject("resources/formats/calibration.schema.json"));
   nlohmann::json codes = nlohmann::json::array();
   for (const FindingDescription& entry : findingTable()) codes.push_back(entry.name);
-  EXPECT_EQ(calibration["$defs"]["finding_code"]["enum"], codes);
 
-  const nlohmann::json& keys = calibration["properties"];
-  EXPECT_EQ(keys["findings"]["items"]["properties"]["severity"]["enum"], namesOf(severityName));
-  const nlohmann::json& verdict = keys["verdict"]["properties"];
-  EXPECT_EQ(verdict["level"]["enum"], namesOf(verdictName));
-  EXPECT_EQ(verdict["limit"]["enum"], namesOf(limitName));
-  EXPECT_EQ(verdict["remedy"]["enum"], namesOf(remedyName));
-  EXPECT_EQ(calibration["$defs"]["link"]["properties"]["quality"]["enum"], namesOf(qualityName));
   nlohmann::json solvers = namesOf(solverName);
   solvers.push_back("imported");
-  EXPECT_EQ(keys["solver"]["enum"], solvers);
-  EXPECT_EQ(calibration["allOf"][0]["then"]["properties"]["gap_model"]["enum"], namesOf(gapModelName));
-  const nlohmann::json& options = keys["options"]["properties"];
-  EXPECT_EQ(options["centre"]["enum"], namesOf(centringName));
-  EXPECT_EQ(options["support-axes"]["enum"], namesOf(supportAxesName));
-  EXPECT_EQ(options["weights"]["enum"], namesOf(linkWeightsName));
+  const std::pair<const char*, nlohmann::json> enumerations[] = {
+      {"/$defs/finding_code", codes},
+      {"/$defs/link/properties/quality", namesOf(qualityName)},
+      {"/properties/findings/items/properties/severity", namesOf(severityName)},
+      {"/properties/verdict/properties/level", namesOf(verdictName)},
+      {"/properties/verdict/properties/limit", namesOf(limitName)},
+      {"/properties/verdict/properties/remedy", namesOf(remedyName)},
+      {"/properties/solver", solvers},
+      {"/allOf/0/then/properties/gap_model", namesOf(gapModelName)},
+      {"/properties/options/properties/centre", namesOf(centringName)},
+      {"/properties/options/properties/support-axes", namesOf(supportAxesName)},
+      {"/properties/options/properties/weights", namesOf(linkWeightsName)}};
+  for (const auto& [pointer, names] : enumerations) {
+    EXPECT_EQ(calibration.at(nlohmann::json::json_pointer(pointer)).at("enum"), names) << pointer;
+  }
 }
 
 TEST(Documentation, ChangelogAndCitationHaveTheVersionsOfTheCode) {

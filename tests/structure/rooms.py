@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks that every source stands in a room that is known here and includes only what is before it.
-
+"""Checks that every source stands in a room that is known here and includes only what is before it, and no library that its
+part of the project may not use (core/README.md).
 A hall is a folder whose subfolders, its rooms, have an order. `a < {b, c} < d` says that a file of d may include those of
 b, c and a; that one of b may include those of a, but none of c; and that rooms in one brace stay apart.
 
@@ -31,9 +31,17 @@ HALLS = {
 # Folders with sources that are no part of the program's own tree.
 SKIPPED = {"build", "out"}
 
-INCLUDE = re.compile(r'\s*#\s*include\s*"([^"]*)"')
+INCLUDE = re.compile(r'\s*#\s*include\s*(([<"])([^">]*)[">])')
 
-
+# Libraries that sources at a path may not include.
+GUI = r'Q[A-Z][A-Za-z]*[>"/]|Qt[A-Z5-9]|vtk'
+FOREIGN = (
+    (r"(core|app/cli|app/emulator|app/python)/", GUI, "core, the programs without a window and Python have neither Qt nor VTK"),
+    (r"widgets/", r"ceres/|sqlite3|boost/|google/protobuf|nlohmann/|pugixml|assimp/|zip\.h|urdf|kdl", "widgets show what core computed"),
+    (r"core/.*\.h$", r"ceres/|sqlite3|google/protobuf|pugixml|assimp/|openssl/|CLI/|fmt/|zip\.h|urdf_|kdl|console_bridge",
+     "headers of core carry no third-party types but Eigen's"),
+    (r"(core|widgets|app/cli|app/emulator|app/window)/", r"pybind11|Python\.h|numpy", "only the Python module knows Python"),
+)
 def levels(order):
     """The level of each room in an order: 0 for those that include no other."""
     result = {}
@@ -54,13 +62,11 @@ def sources(root):
 
 
 def includes(path):
-    """The line number and the name of each include in quotes."""
+    """The line number of each include, its name as it is written, and without quotes; empty, where it has none."""
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         match = INCLUDE.match(line)
         if match:
-            yield number, match[1]
-
-
+            yield number, match[1], match[3] if match[2] == '"' else ""
 def target_of(name):
     """The path from the root of an included file."""
     return pathlib.PurePosixPath("core", name) if name.startswith("hexoderm/") else pathlib.PurePosixPath(name)
@@ -97,7 +103,12 @@ def main():
             room = room_of(hall, source)
             if room is not None and room not in level:
                 violations.append(f"{source} stands in no room of {hall or 'the project'}: {HALLS[hall]}")
-        for number, name in includes(root / source):
+        for number, written, name in includes(root / source):
+            for where, libraries, why in FOREIGN:
+                if re.match(where, str(source)) and re.match(f'[<"]({libraries})', written):
+                    violations.append(f"{source}:{number}:{written} -- {why}")
+            if not name:
+                continue
             if not is_in_tree(root, source, name):
                 violations.append(f'{source}:{number}:"{name}" -- no path in the tree; write "hexoderm/..." or'
                                   ' the path from the root')

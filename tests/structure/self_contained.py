@@ -21,6 +21,10 @@ ELSEWHERE = re.compile(r"\b%s\b|\b[A-Z]{3,}\.md\b" % ("SP" + "EC"))
 LINKS = re.compile(r"\b(?:CREATE_LINK|create_symlink)\b")
 # A path from the root, in which {a,b} and * may stand for several names.
 PATH = re.compile(r"(?<![\w./$}>-])(?:core|widgets|app|tests|packaging|resources)/[\w./*{},-]*[\w/*}]")
+# A source that a page names by its path below its own folder or one of these.
+NAMED = re.compile(r"`([\w./]+/\w+\.(?:h|cpp|inl|c|py|sh))`")
+FOLDERS = ("", "core", "core/hexoderm", "widgets", "app/window")
+GENERATED = {"hexoderm/hexoderm.h"}
 MARKDOWN_LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 COMMENT = re.compile(r"(?:^|\s)(?://|#\s|\*\s)(.*)")
 
@@ -74,6 +78,9 @@ def main():
                     target = match[1]
                     if "://" not in target and not (root / file.parent / target).exists():
                         violations.append(f"{where}: nothing stands at {target}")
+                for name in set(NAMED.findall(line)) - GENERATED:
+                    if not any((root / folder / name).is_file() for folder in (file.parent, *FOLDERS)):
+                        violations.append(f"{where}: {name} is not there")
                 prose = line
             else:
                 comment = COMMENT.search(line)

@@ -5,19 +5,23 @@
 
 namespace hexoderm::test {
 
-/// Options with one of them set: `with(&SolverOptions::centring, Centring::On)`.
-template <class Options, class Value>
-Options with(Value Options::*option, std::type_identity_t<Value> value) {
-  Options options;
-  options.*option = std::move(value);
+template <class Options>
+Options with(Options options) {
   return options;
 }
 
-/// ... with one of them set otherwise than in others.
-template <class Options, class Value>
-Options with(Options options, Value Options::*option, std::type_identity_t<Value> value) {
+/// Options with some of them changed: `with(options, &SolverOptions::solver, Solver::Tree, &SolverOptions::weights,
+/// ...)`.
+template <class Options, class Value, class... Others>
+Options with(Options options, Value Options::*option, std::type_identity_t<Value> value, Others... others) {
   options.*option = std::move(value);
-  return options;
+  return with(std::move(options), std::move(others)...);
+}
+
+/// The same of the defaults: `with(&SolverOptions::centring, Centring::On)`.
+template <class Options, class Value, class... Others>
+Options with(Value Options::*option, std::type_identity_t<Value> value, Others... others) {
+  return with(Options(), option, std::move(value), std::move(others)...);
 }
 
 }  // namespace hexoderm::test

@@ -2,6 +2,7 @@
 
 #include "hexoderm/sim/simulated_session.h"
 
+#include <cmath>
 #include <string>
 
 namespace hexoderm::test {
@@ -14,6 +15,13 @@ inline SimulatedSkinOptions skinOptions(const std::string& patch, const std::str
   options.surface = surface;
   options.seed = seed;
   return options;
+}
+
+/// A sheet bent round a cylinder of a size that goes with it.
+inline SimulatedSkinOptions bentSheet(std::size_t rows, std::size_t columns, std::uint64_t seed = 1) {
+  const double share = std::sqrt(static_cast<double>(rows * columns) / 1260);
+  return skinOptions("sheet:" + std::to_string(rows) + "x" + std::to_string(columns),
+                     "cylinder:r=" + std::to_string(0.25 * share), seed);
 }
 
 /// Options of a skin on a robot with its motors on.

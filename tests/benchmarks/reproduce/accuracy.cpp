@@ -26,7 +26,8 @@ struct Errors {
   std::optional<double> share_off;      ///< |s - the law's s|
   std::optional<double> share_sigma;
 };
-using Figure = std::optional<double> Errors::*;
+
+using ErrorOf = std::optional<double> Errors::*;
 
 /// One skin by all methods.
 struct Methods {
@@ -42,7 +43,7 @@ struct Methods {
 struct Line {
   std::string figure;
   std::string unit;
-  Figure value = nullptr;
+  ErrorOf value = nullptr;
   std::optional<double> bar_matching = {};
   std::optional<double> bar_fit = {};
   std::optional<double> bound = {};
@@ -248,22 +249,32 @@ double jitterBound_m() {
                    2 * 3 * jitter.position_jitter_m * jitter.position_jitter_m);
 }
 
-void print(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
+FigureRow figuresOf(const AccuracyRow& row) {
+  const int decimals = row.line.bar_matching == row.line.bar_fit && row.line.bar_fit ? 3 : 2;
+  const std::string bars = numberOrDash(row.line.bar_matching) + " / " + numberOrDash(row.line.bar_fit);
+  return {ofText("figure", "figure", row.line.figure),
+          ofText("law", "link_law", std::string(linkLawName(row.law))),
+          ofCount("poses", "poses", row.poses),
+          ofCount("", "skins", row.skins),
+          ofNumber("paper", "papers_method", row.papers),
+          ofNumber("match", "matching", row.matching, decimals),
+          ofNumber("other", "mismatching", row.other, decimals),
+          ofNumber("fit", "fit", row.fit, decimals),
+          ofText("unit", "unit", row.line.unit),
+          ofText("bars", "", row.hasBar() ? bars : "-"),
+          ofNumber("", "bar_matching", row.line.bar_matching),
+          ofNumber("", "bar_fit", row.line.bar_fit),
+          ofNumber("bound", "bound", row.line.bound),
+          ofBar(row.hasBar(), row.reached())};
+}
+
+void print(const std::vector<FigureRow>& rows, std::size_t seeds) {
   std::cout
       << "Accuracy on simulated skins, offsets of 60 mg, hand-held: medians over " << seeds << " skins.\n"
       << "Paper: --solver tree --centre off, no link judged. The others: the global solver with the gap model that\n"
       << "the simulator's link law obeys, with the other one, and with fit (default). Bars: for the matching model\n"
       << "and for fit. Bound: Cramer-Rao, rms, from an earlier study, not computed here; medians may lie below.\n\n";
-  TextTable table({"figure", "law", "poses", "paper", "match", "other", "fit", "unit", "bars", "bound", "reached"});
-  for (const AccuracyRow& row : rows) {
-    const int decimals = row.line.bar_matching == row.line.bar_fit && row.line.bar_fit ? 3 : 2;
-    table.add({row.line.figure, std::string(linkLawName(row.law)), std::to_string(row.poses), numberOrDash(row.papers),
-               numberOrDash(row.matching, decimals), numberOrDash(row.other, decimals), numberOrDash(row.fit, decimals),
-               row.line.unit,
-               row.hasBar() ? numberOrDash(row.line.bar_matching) + " / " + numberOrDash(row.line.bar_fit) : "-",
-               numberOrDash(row.line.bound), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
-  }
-  table.print();
+  printTable(rows);
   std::cout
       << "\n(a) sheet:25x40 on cylinder:r=0.2. (b) sheet:10x10 on cylinder:r=0.08.\n"
       << "(c) The law's s is 0 for bend and 1 for surface. A ring whose links all bend alike does not reveal s: the\n"
@@ -280,24 +291,10 @@ void print(const std::vector<AccuracyRow>& rows, std::size_t seeds) {
 }  // namespace
 
 nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints) {
-  const std::vector<AccuracyRow> rows = AccuracyTable(trials).run();
+  std::vector<FigureRow> rows;
+  for (const AccuracyRow& row : AccuracyTable(trials).run()) rows.push_back(figuresOf(row));
   if (prints) print(rows, trials.seeds());
-  const auto row_json = [](const AccuracyRow& row) -> Json {
-    return {{"figure", row.line.figure},
-            {"unit", row.line.unit},
-            {"link_law", linkLawName(row.law)},
-            {"poses", row.poses},
-            {"skins", row.skins},
-            {"papers_method", orNull(row.papers)},
-            {"matching", orNull(row.matching)},
-            {"mismatching", orNull(row.other)},
-            {"fit", orNull(row.fit)},
-            {"bar_matching", orNull(row.line.bar_matching)},
-            {"bar_fit", orNull(row.line.bar_fit)},
-            {"bound", orNull(row.line.bound)},
-            {"reached", row.hasBar() ? Json(row.reached()) : Json()}};
-  };
-  return {{"jitter_bound_rms_mm", toMillimetres(jitterBound_m())}, {"rows", arrayOf(rows, row_json)}};
+  return {{"jitter_bound_rms_mm", toMillimetres(jitterBound_m())}, {"rows", toJson(rows)}};
 }
 
 }  // namespace hexoderm::cli

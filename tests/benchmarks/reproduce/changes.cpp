@@ -142,25 +142,29 @@ double rootMeanSquare(const std::vector<double>& values) {
   return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-nlohmann::ordered_json toJson(const ChangeRow& row) {
+FigureRow figuresOf(const ChangeRow& row) {
   const bool is_healthy = row.what.change == Change::None;
-  return {{"change", row.what.name},
-          {"calibration_poses", row.what.calibration_poses},
-          {"poses", row.what.poses},
-          {"found", is_healthy ? Json() : cli::toJson(row.found)},
-          {"right_kind", is_healthy ? Json() : cli::toJson(row.right)},
-          {"turned_or_drifted", is_healthy ? Json() : cli::toJson(row.ambiguous)},
-          {"blamed_per_cell", cli::toJson(row.blamed)},
-          {"false_alarms", cli::toJson(row.alarms)},
-          {"turn_error_over_stated", row.deviates.empty() ? Json() : Json(rootMeanSquare(row.deviates))},
-          {"reached", row.what.has_bar ? Json(row.reached()) : Json()}};
+  const auto ofChanged = [&](const Share& share) { return is_healthy ? std::nullopt : std::optional(share); };
+  const std::size_t calibrated_by = row.what.calibration_poses;
+  return {ofText("change", "change", row.what.name),
+          {"calibrated by", std::to_string(calibrated_by) + " poses", "calibration_poses", calibrated_by},
+          {"checked by", counted(row.what.poses, "pose"), "poses", row.what.poses},
+          ofShare("found", "found", ofChanged(row.found), 1),
+          ofShare("right", "right_kind", ofChanged(row.right), 1),
+          ofPercent("either", "", is_healthy ? std::nullopt : std::optional(row.ambiguous.percent()), 1),
+          ofShare("", "turned_or_drifted", ofChanged(row.ambiguous), 1),
+          ofShare("blamed, per cell", "blamed_per_cell", row.blamed, 2),
+          ofShare("", "false_alarms", row.alarms, 1),
+          ofNumber("error / stated", "turn_error_over_stated",
+                   row.deviates.empty() ? std::nullopt : std::optional(rootMeanSquare(row.deviates))),
+          ofBar(row.what.has_bar, row.reached())};
 }
 
 }  // namespace
 
 nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
-  std::vector<ChangeRow> rows;
-  for (const CheckCase& what : checkCases()) rows.push_back(runRow(trials, what));
+  std::vector<FigureRow> rows;
+  for (const CheckCase& what : checkCases()) rows.push_back(figuresOf(runRow(trials, what)));
   if (prints) {
     std::cout
         << "What changed since a calibration is found by a check, on a simulated X17 in a hand, defaults: "
@@ -170,19 +174,9 @@ nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
         << "Error / stated: rms error of the angle in its stated deviations. With 95 % intervals. Bars, of two poses\n"
         << "and a calibration by four or more: found >= " << formatFixed(kBarNoticed, 0)
         << " %, blamed <= " << formatFixed(kBarBlamed, 1) << " %.\n\n";
-    TextTable table({"change", "calibrated by", "checked by", "found", "right", "either", "blamed, per cell",
-                     "error / stated", "reached"});
-    for (const ChangeRow& row : rows) {
-      const bool healthy = row.what.change == Change::None;
-      table.add({row.what.name, std::to_string(row.what.calibration_poses) + " poses", counted(row.what.poses, "pose"),
-                 healthy ? "-" : inWords(row.found, 1), healthy ? "-" : inWords(row.right, 1),
-                 healthy ? "-" : formatFixed(row.ambiguous.percent(), 1) + " %", inWords(row.blamed, 2),
-                 row.deviates.empty() ? "-" : formatFixed(rootMeanSquare(row.deviates), 2),
-                 row.what.has_bar ? (row.reached() ? "yes" : "NO") : "-"});
-    }
-    table.print();
+    printTable(rows);
   }
-  return {{"skins", trials.seeds()}, {"rows", arrayOf(rows, [](const ChangeRow& row) { return toJson(row); })}};
+  return {{"skins", trials.seeds()}, {"rows", toJson(rows)}};
 }
 
 }  // namespace hexoderm::cli

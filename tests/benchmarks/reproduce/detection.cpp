@@ -132,42 +132,32 @@ std::string barText(const Case& what) {
   return bar.empty() ? "-" : bar;
 }
 
+FigureRow figuresOf(const DetectionRow& row) {
+  return {ofText("fault", "fault", row.what.name),
+          ofCount("poses", "poses", row.what.poses),
+          ofPercent("found", "found_percent", row.healthy() ? std::nullopt : std::optional(row.found.percent()), 1),
+          ofPercent("false, per link", "false_per_link_percent", row.false_links.percent(), 3),
+          ofPercent("false, per cell", "false_per_cell_percent", row.false_cells.percent(), 3),
+          ofText("bars", "", barText(row.what)),
+          ofNumber("", "bar_found_percent", row.what.bar_found),
+          ofNumber("", "bar_false_percent", row.what.bar_false),
+          ofBar(row.hasBar(), row.reached())};
+}
+
 }  // namespace
 
 nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
   const std::size_t sessions = trials.seeds() < kFullRun ? trials.seeds() : std::max(trials.seeds(), kFullSessions);
-  std::vector<DetectionRow> rows;
-  for (const Case& what : cases()) rows.push_back(runRow(trials, what, sessions));
+  std::vector<FigureRow> rows;
+  for (const Case& what : cases()) rows.push_back(figuresOf(runRow(trials, what, sessions)));
   if (prints) {
     std::cout
         << "What is broken is found, on a simulated X17, global solver, defaults: " << sessions
         << " sessions per row.\n"
         << "Found: named as what it is; at a leaf, cell or link. False: sound links muted, sound cells blamed.\n\n";
-    TextTable table({"fault", "poses", "found", "false, per link", "false, per cell", "bars", "reached"});
-    for (const DetectionRow& row : rows) {
-      table.add({row.what.name, std::to_string(row.what.poses),
-                 row.healthy() ? "-" : formatFixed(row.found.percent(), 1) + " %",
-                 formatFixed(row.false_links.percent(), 3) + " %", formatFixed(row.false_cells.percent(), 3) + " %",
-                 barText(row.what), row.hasBar() ? (row.reached() ? "yes" : "NO") : "-"});
-    }
-    table.print();
+    printTable(rows);
   }
-  nlohmann::ordered_json json = {{"sessions", sessions}, {"rows", nlohmann::ordered_json::array()}};
-  for (const DetectionRow& row : rows) {
-    nlohmann::ordered_json entry = {{"fault", row.what.name},
-                                    {"poses", row.what.poses},
-                                    {"found_percent", nullptr},
-                                    {"false_per_link_percent", row.false_links.percent()},
-                                    {"false_per_cell_percent", row.false_cells.percent()},
-                                    {"bar_found_percent", orNull(row.what.bar_found)},
-                                    {"bar_false_percent", orNull(row.what.bar_false)},
-                                    {"reached", nullptr}};
-    if (!row.healthy()) entry["found_percent"] = row.found.percent();
-    if (row.hasBar()) entry["reached"] = row.reached();
-    json["rows"].push_back(std::move(entry));
-  }
-  json["garbage"] = countGarbage(trials, prints);
-  return json;
+  return {{"sessions", sessions}, {"rows", toJson(rows)}, {"garbage", countGarbage(trials, prints)}};
 }
 
 }  // namespace hexoderm::cli

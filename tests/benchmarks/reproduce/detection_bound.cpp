@@ -4,6 +4,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <optional>
 
@@ -144,30 +147,16 @@ class Readings {
 
 /// Phi(e - z), in percent, with z exceeded with the given probability.
 double percentBeyond(double e, double probability) {
-  double low = 0;
-  double high = 10;
-  while (high - low > 1e-9) {
-    const double middle = (low + high) / 2;
-    (std::erfc(middle / std::sqrt(2.0)) / 2 > probability ? low : high) = middle;
-  }
-  return 50 * std::erfc(-(e - low) / std::sqrt(2.0));
+  const boost::math::normal normal;
+  return 100 * cdf(normal, e - quantile(complement(normal, probability)));
 }
 
 /// The probability, in percent, that a plane normal vector about (e, 0) is longer than one about 0 is with the given
 /// probability.
 double percentBeyondInPlane(double e, double probability) {
-  const double limit = std::sqrt(-2 * std::log(probability));
-  constexpr double kReach = 6;
-  constexpr double kStep = 0.01;
-  double sum = 0;
-  for (double x = -kReach; x < kReach; x += kStep) {
-    const double rest = limit * limit - (e + x) * (e + x);
-    const double beyond = rest <= 0 ? 1 : std::erfc(std::sqrt(rest / 2));
-    sum += kStep * std::exp(-x * x / 2) / std::sqrt(2 * kPi) * beyond;
-  }
-  return 100 * sum;
+  const double limit = quantile(complement(boost::math::chi_squared(2), probability));
+  return 100 * cdf(complement(boost::math::non_central_chi_squared(2, e * e), limit));
 }
-
 }  // namespace
 
 BestDetection bestDetection(const SimulatedSkin& skin, const CellFault& fault, std::size_t poses) {

@@ -112,6 +112,7 @@ struct HealthySkin {
   const char* surface;
   LinkLaw law;
 };
+
 constexpr std::array<HealthySkin, 11> kHealthySkins = {{{"x17", "cylinder:r=0.0501", LinkLaw::Bend},
                                                         {"x17", "cylinder:r=0.0501", LinkLaw::Surface},
                                                         {"x17", "sphere:r=0.1", LinkLaw::Bend},
@@ -166,13 +167,10 @@ HealthyCount countHealthy(const Trials& trials, std::size_t poses, std::size_t s
   return sum;
 }
 
-std::string yesOrNo(bool reached) { return reached ? "yes" : "NO"; }
-
 }  // namespace
 
 nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
-  nlohmann::ordered_json json = {{"interval", "Wilson, 95 %"}};
-  TextTable table({"garbage", "poses", "found (95 %)", "best, cell known", "best test", "bar", "reached"});
+  std::vector<FigureRow> rows;
   for (const Garbage& what : garbage()) {
     const auto outcomes =
         trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return tryGarbage(what, seed); });
@@ -188,34 +186,27 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
     const std::optional<double> bound = unknown.empty() ? std::nullopt : std::optional(mean(unknown));
     const std::optional<double> bound_known = known.empty() ? std::nullopt : std::optional(mean(known));
     const double bar = bound ? std::min(kBarFound, *bound - kBelowBound) : kBarFound;
-    const bool reached = found.percent() >= bar;
-    table.add({what.name, std::to_string(what.poses), inWords(found, 1),
-               bound ? formatFixed(*bound_known, 1) + " %" : "-", bound ? formatFixed(*bound, 1) + " %" : "-",
-               ">= " + formatFixed(bar, 1) + " %", yesOrNo(reached)});
-    json["rows"].push_back({{"garbage", what.name},
-                            {"poses", what.poses},
-                            {"found", toJson(found)},
-                            {"best_test_cell_known_percent", orNull(bound_known)},
-                            {"best_test_percent", orNull(bound)},
-                            {"bar_percent", bar},
-                            {"reached", reached}});
+    rows.push_back({ofText("garbage", "garbage", what.name),
+                    ofCount("poses", "poses", what.poses),
+                    ofShare("found (95 %)", "found", found, 1),
+                    ofPercent("best, cell known", "best_test_cell_known_percent", bound_known, 1),
+                    ofPercent("best test", "best_test_percent", bound, 1),
+                    {"bar", ">= " + formatFixed(bar, 1) + " %", "bar_percent", bar},
+                    ofBar(true, found.percent() >= bar)});
   }
   const std::size_t sessions =
       trials.seeds() < kFullSeeds ? trials.seeds() : std::max(trials.seeds(), kHealthySessions);
-  TextTable healthy({"healthy, all patches", "poses", "sessions with a false alarm (95 %)", "cells accused (95 %)",
-                     "cells suspicious", "links muted", "bars", "reached"});
+  std::vector<FigureRow> healthy;
   for (const std::size_t poses : {2U, 3U, 4U}) {
     const HealthyCount count = countHealthy(trials, poses, sessions);
-    const bool reached = count.alarms.percent() <= kBarFalseAlarms && count.accused.percent() <= kBarAccused;
-    healthy.add({"", std::to_string(poses), inWords(count.alarms, 2), inWords(count.accused, 3),
-                 formatFixed(count.suspicious.percent(), 3) + " %", formatFixed(count.muted.percent(), 3) + " %",
-                 "<= 0.2 %, <= 0.1 %", yesOrNo(reached)});
-    json["healthy"].push_back({{"poses", poses},
-                               {"alarms", toJson(count.alarms)},
-                               {"accused", toJson(count.accused)},
-                               {"suspicious", toJson(count.suspicious)},
-                               {"muted", toJson(count.muted)},
-                               {"reached", reached}});
+    healthy.push_back(
+        {ofText("healthy, all patches", "", ""), ofCount("poses", "poses", poses),
+         ofShare("sessions with a false alarm (95 %)", "alarms", count.alarms, 2),
+         ofShare("cells accused (95 %)", "accused", count.accused, 3),
+         ofPercent("cells suspicious", "", count.suspicious.percent(), 3),
+         ofShare("", "suspicious", count.suspicious, 3), ofPercent("links muted", "", count.muted.percent(), 3),
+         ofShare("", "muted", count.muted, 3), ofText("bars", "", "<= 0.2 %, <= 0.1 %"),
+         ofBar(true, count.alarms.percent() <= kBarFalseAlarms && count.accused.percent() <= kBarAccused)});
   }
   if (prints) {
     std::cout
@@ -224,12 +215,12 @@ nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
            "the verdict is failed.\nBest test: a likelihood ratio with 0.2 % false alarms a session that knows the "
            "fault, and its cell, or has to ask of every\ncell and axis. The bar is 95 %, or 5 % less than the latter "
            "where that is lower.\n\n";
-    table.print();
+    printTable(rows);
     std::cout << "\nHealthy skins, hand-held, " << kHealthySkins.size() << " patches: " << sessions
               << " sessions per row. Intervals are Wilson's, 95 %.\n\n";
-    healthy.print();
+    printTable(healthy);
   }
-  return json;
+  return {{"interval", "Wilson, 95 %"}, {"rows", toJson(rows)}, {"healthy", toJson(healthy)}};
 }
 
 }  // namespace hexoderm::cli

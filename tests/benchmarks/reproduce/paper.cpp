@@ -28,14 +28,36 @@ struct TwoMetrics {
   std::optional<double> first;
   std::optional<double> second;
 };
+
 struct BothMethods {
   TwoMetrics papers_method;
   TwoMetrics global;
 };
 
+std::string spread(const std::vector<double>& values) {
+  return formatFixed(median(values), 2) + " (" + formatFixed(quantile(values, 0.05), 2) + " to " +
+         formatFixed(quantile(values, 0.95), 2) + ")";
+}
+
+Json summaryOf(const std::vector<double>& values) {
+  return {{"skins", values.size()},
+          {"p5", quantile(values, 0.05)},
+          {"median", median(values)},
+          {"p95", quantile(values, 0.95)}};
+}
+
+FigureRow figuresOf(const PaperRow& row) {
+  return {ofText("figure", "figure", row.figure),
+          {"offsets", formatFixed(row.offset_sigma_mg, 0) + " mg", "offset_sigma_mg", row.offset_sigma_mg},
+          ofNumber("paper", "paper", row.paper),
+          {"paper's method", spread(row.papers_method), "papers_method", summaryOf(row.papers_method)},
+          {"global solver", spread(row.global), "global", summaryOf(row.global)},
+          ofText(" ", "unit", row.unit)};
+}
+
 template <class Evaluate>
 void addRows(const Trials& trials, const std::string& what, const SkinCase& skin_case, PaperRow first, PaperRow second,
-             const Evaluate& evaluate, std::vector<PaperRow>& rows) {
+             const Evaluate& evaluate, std::vector<FigureRow>& rows) {
   const auto results = trials.run(what, trials.seeds(), [&](std::size_t seed) {
     SimulatedSkin skin = makeSkin(skin_case, seed);
     const auto snapshot = measure(skin, skin_case).snapshot();
@@ -52,8 +74,7 @@ void addRows(const Trials& trials, const std::string& what, const SkinCase& skin
     keep(result.global.first, first.global);
     keep(result.global.second, second.global);
   }
-  rows.push_back(std::move(first));
-  rows.push_back(std::move(second));
+  for (const PaperRow* row : {&first, &second}) rows.push_back(figuresOf(*row));
 }
 
 /// Paper III.1: X17 on an aluminium cylinder.
@@ -70,22 +91,10 @@ TwoMetrics evaluateGap(const SimulatedSkin& skin, const Reconstruction& result) 
   return {toMillimetres(loop->length_m), loop->percent};
 }
 
-std::string spread(const std::vector<double>& values) {
-  return formatFixed(median(values), 2) + " (" + formatFixed(quantile(values, 0.05), 2) + " to " +
-         formatFixed(quantile(values, 0.95), 2) + ")";
-}
-
-nlohmann::ordered_json toJson(const std::vector<double>& values) {
-  return {{"skins", values.size()},
-          {"p5", quantile(values, 0.05)},
-          {"median", median(values)},
-          {"p95", quantile(values, 0.95)}};
-}
-
 }  // namespace
 
 nlohmann::ordered_json reproducePaper(const Trials& trials, bool prints) {
-  std::vector<PaperRow> rows;
+  std::vector<FigureRow> rows;
   for (const double sigma : kOffsetSigmas_mg) {
     addRows(trials, "X17, " + formatFixed(sigma, 0) + " mg",
             {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = kPapersPoses, .offset_sigma_mg = sigma},
@@ -104,22 +113,9 @@ nlohmann::ordered_json reproducePaper(const Trials& trials, bool prints) {
               << " poses.\nMedian (5 % to 95 %). The paper's figures are one trial each, of real skins.\n"
               << "The simulated cup closes the ring but for what the cells lie beside their places.\n"
               << "Paper's method: --solver tree --centre off, no link judged. Ours: the global solver, defaults.\n\n";
-    TextTable table({"figure", "offsets", "paper", "paper's method", "global solver", ""});
-    for (const PaperRow& row : rows) {
-      table.add({row.figure, formatFixed(row.offset_sigma_mg, 0) + " mg", formatFixed(row.paper, 2),
-                 spread(row.papers_method), spread(row.global), row.unit});
-    }
-    table.print();
+    printTable(rows);
   }
-  const auto row_json = [](const PaperRow& row) -> Json {
-    return {{"figure", row.figure},
-            {"unit", row.unit},
-            {"offset_sigma_mg", row.offset_sigma_mg},
-            {"paper", row.paper},
-            {"papers_method", toJson(row.papers_method)},
-            {"global", toJson(row.global)}};
-  };
-  return {{"poses", kPapersPoses}, {"rows", arrayOf(rows, row_json)}};
+  return {{"poses", kPapersPoses}, {"rows", toJson(rows)}};
 }
 
 }  // namespace hexoderm::cli

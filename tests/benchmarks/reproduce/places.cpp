@@ -32,6 +32,7 @@ struct PlaceBody {
   double from_m = 0;  ///< of the patch's middle along z
   double to_m = 0;
 };
+
 struct PlaceCase {
   const PlaceBody* body = nullptr;
   std::size_t poses = 4;
@@ -89,6 +90,7 @@ struct NearestPlace {
   const PlacedPatch* patch = nullptr;
   SE3 T_l_o;
 };
+
 NearestPlace nearestPlace(const PlaceResult& result, const SE3& truth) {
   NearestPlace nearest;
   for (const PlaceCandidate& candidate : result.candidates) {
@@ -187,20 +189,26 @@ std::vector<PlaceBody> placeBodies() {
           {"cylinder", meshOfCylinder(0.0501, 0.5), -0.1, 0.1}};
 }
 
-nlohmann::ordered_json toJson(const PlaceRow& row) {
-  return {{"body", row.what.body->name},
-          {"poses", row.what.poses},
-          {"turn_known", !row.what.turn_sigma_rad},
-          {"among", cli::toJson(row.among)},
-          {"alone", cli::toJson(row.alone)},
-          {"candidates_mean", mean(row.candidates)},
-          {"slide_named", cli::toJson(row.slide_named)},
-          {"turn_named", cli::toJson(row.turn_named)},
-          {"determined", cli::toJson(row.determined)},
-          {"error_median_mm", toMillimetres(median(row.error_m))},
-          {"error_95_mm", toMillimetres(quantile(row.error_m, 0.95))},
-          {"nees", mean(row.nees)},
-          {"reached", row.reached()}};
+FigureRow figuresOf(const PlaceRow& row) {
+  const bool is_known = !row.what.turn_sigma_rad;
+  const double error_m = median(row.error_m);
+  const double worst_m = quantile(row.error_m, 0.95);
+  const auto rounded = [](const char* title, const char* key, const Share& share) -> Figure {
+    return {title, formatFixed(share.percent(), 0) + " %", key, cli::toJson(share)};
+  };
+  return {ofText("link", "body", row.what.body->name),
+          ofCount("poses", "poses", row.what.poses),
+          {"turn", is_known ? "known" : "unknown", "turn_known", is_known},
+          ofShare("among", "among", row.among, 1),
+          rounded("alone", "alone", row.alone),
+          ofNumber("places", "candidates_mean", mean(row.candidates), 1),
+          rounded("slide named", "slide_named", row.slide_named),
+          rounded("turn named", "turn_named", row.turn_named),
+          rounded("determined", "determined", row.determined),
+          {"error", millimetres(error_m), "error_median_mm", toMillimetres(error_m)},
+          {"95 %", millimetres(worst_m), "error_95_mm", toMillimetres(worst_m)},
+          ofNumber("NEES", "nees", mean(row.nees)),
+          ofBar(true, row.reached())};
 }
 
 }  // namespace
@@ -212,14 +220,14 @@ nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints) {
     for (const std::size_t poses : {4, 8}) cases.push_back({&body, poses, std::nullopt});
   }
   cases.push_back({&bodies.back(), 4, kPi});
-  std::vector<PlaceRow> rows;
+  std::vector<FigureRow> rows;
   for (const PlaceCase& what : cases) {
     PlaceRow row{what, {}, {}, {}, {}, {}, {}, {}, {}};
     for (const PlaceRow& trial : trials.run("place on " + what.body->name, trials.seeds(),
                                             [&](std::size_t seed) { return runTrial(what, seed); })) {
       row += trial;
     }
-    rows.push_back(std::move(row));
+    rows.push_back(figuresOf(row));
   }
   if (prints) {
     std::cout
@@ -230,19 +238,9 @@ nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints) {
            "Error: of the cells, rms,\nacross what is left open, median and 95 %. With 95 % intervals. Bars: among >= "
         << formatFixed(kBarAmong, 0) << " %, error <= " << millimetres(kBarError_m, 0)
         << " in the median, NEES <= " << formatFixed(kBarNees, 0) << ".\n\n";
-    TextTable table({"link", "poses", "turn", "among", "alone", "places", "slide named", "turn named", "determined",
-                     "error", "95 %", "NEES", "reached"});
-    for (const PlaceRow& row : rows) {
-      table.add({row.what.body->name, std::to_string(row.what.poses), row.what.turn_sigma_rad ? "unknown" : "known",
-                 inWords(row.among, 1), formatFixed(row.alone.percent(), 0) + " %",
-                 formatFixed(mean(row.candidates), 1), formatFixed(row.slide_named.percent(), 0) + " %",
-                 formatFixed(row.turn_named.percent(), 0) + " %", formatFixed(row.determined.percent(), 0) + " %",
-                 millimetres(median(row.error_m)), millimetres(quantile(row.error_m, 0.95)),
-                 formatFixed(mean(row.nees), 2), row.reached() ? "yes" : "NO"});
-    }
-    table.print();
+    printTable(rows);
   }
-  return {{"skins", trials.seeds()}, {"rows", arrayOf(rows, [](const PlaceRow& row) { return toJson(row); })}};
+  return {{"skins", trials.seeds()}, {"rows", toJson(rows)}};
 }
 
 }  // namespace hexoderm::cli

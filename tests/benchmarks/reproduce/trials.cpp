@@ -122,20 +122,61 @@ void Trials::report(const std::string& what, std::size_t seed, std::size_t count
   common_.progress(what + ": seed " + std::to_string(seed) + " of " + std::to_string(count));
 }
 
-void TextTable::print() const {
-  std::vector<std::size_t> width(rows_.front().size(), 0);
-  for (const auto& row : rows_) {
-    for (std::size_t k = 0; k < row.size(); ++k) width[k] = std::max(width[k], row[k].size());
-  }
-  for (const auto& row : rows_) {
-    std::string line;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      line += row[k];
-      if (k + 1 < row.size()) line.append(width[k] - row[k].size() + 2, ' ');
+Figure ofText(const std::string& title, const std::string& key, const std::string& text) {
+  return {title, text, key, text};
+}
+
+Figure ofCount(const std::string& title, const std::string& key, std::size_t count) {
+  return {title, std::to_string(count), key, count};
+}
+
+Figure ofNumber(const std::string& title, const std::string& key, const std::optional<double>& value, int decimals) {
+  return {title, numberOrDash(value, decimals), key, orNull(value)};
+}
+
+Figure ofPercent(const std::string& title, const std::string& key, const std::optional<double>& percent, int decimals) {
+  return {title, percent ? formatFixed(*percent, decimals) + " %" : "-", key, orNull(percent)};
+}
+
+Figure ofShare(const std::string& title, const std::string& key, const std::optional<Share>& share, int decimals) {
+  return {title, share ? inWords(*share, decimals) : "-", key, share ? toJson(*share) : Json()};
+}
+
+Figure ofBar(bool has_bar, bool is_reached) {
+  if (!has_bar) return {"reached", "-", "reached", Json()};
+  return {"reached", is_reached ? "yes" : "NO", "reached", is_reached};
+}
+
+void printTable(const std::vector<FigureRow>& rows) {
+  std::vector<std::vector<std::string>> lines;
+  const auto addLine = [&](const FigureRow& row, std::string Figure::*part) {
+    lines.emplace_back();
+    for (const Figure& figure : row) {
+      if (!figure.title.empty()) lines.back().push_back(figure.*part);
     }
-    line.erase(line.find_last_not_of(' ') + 1);
-    std::cout << line << '\n';
+  };
+  addLine(rows.front(), &Figure::title);
+  for (const FigureRow& row : rows) addLine(row, &Figure::text);
+  std::vector<std::size_t> width(lines.front().size(), 0);
+  for (const auto& line : lines) {
+    for (std::size_t k = 0; k < line.size(); ++k) width[k] = std::max(width[k], line[k].size());
   }
+  for (const auto& line : lines) {
+    std::string text;
+    for (std::size_t k = 0; k < line.size(); ++k) text += line[k] + std::string(width[k] - line[k].size() + 2, ' ');
+    text.erase(text.find_last_not_of(' ') + 1);
+    std::cout << text << '\n';
+  }
+}
+
+Json toJson(const std::vector<FigureRow>& rows) {
+  return arrayOf(rows, [](const FigureRow& row) {
+    Json object = Json::object();
+    for (const Figure& figure : row) {
+      if (!figure.key.empty()) object[figure.key] = figure.value;
+    }
+    return object;
+  });
 }
 
 std::string numberOrDash(const std::optional<double>& value, int decimals) {

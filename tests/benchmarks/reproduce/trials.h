@@ -60,6 +60,7 @@ struct Share {
   [[nodiscard]] std::pair<double, double> interval() const;
   void operator+=(const Share& other);
 };
+
 /// "97.5 % (95.1 to 99.0)".
 std::string inWords(const Share& share, int decimals);
 nlohmann::ordered_json toJson(const Share& share);
@@ -97,17 +98,30 @@ class Trials {
   const Common& common_;
 };
 
-/// Columns as wide as their widest entry.
-class TextTable {
- public:
-  explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
-  void print() const;
-
- private:
-  std::vector<std::vector<std::string>> rows_;
+/// A figure of a row: its title and text in a table, its key and value in JSON. Without a title, or without a key, it
+/// is in one of the two only.
+struct Figure {
+  std::string title;
+  std::string text;
+  std::string key;
+  Json value;
 };
 
+using FigureRow = std::vector<Figure>;
+
+Figure ofText(const std::string& title, const std::string& key, const std::string& text);
+Figure ofCount(const std::string& title, const std::string& key, std::size_t count);
+/// "-" and null for what does not exist.
+Figure ofNumber(const std::string& title, const std::string& key, const std::optional<double>& value, int decimals = 2);
+Figure ofPercent(const std::string& title, const std::string& key, const std::optional<double>& percent, int decimals);
+/// With its interval.
+Figure ofShare(const std::string& title, const std::string& key, const std::optional<Share>& share, int decimals);
+/// Whether a row reaches its bar, if it has one.
+Figure ofBar(bool has_bar, bool is_reached);
+
+/// Columns as wide as their widest entry.
+void printTable(const std::vector<FigureRow>& rows);
+Json toJson(const std::vector<FigureRow>& rows);
 /// "-" for what does not exist.
 std::string numberOrDash(const std::optional<double>& value, int decimals = 2);
 

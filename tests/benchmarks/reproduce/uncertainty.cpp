@@ -18,6 +18,7 @@ struct Band {
   double high = 0;
   [[nodiscard]] bool contains(double value) const { return value >= low && value <= high; }
 };
+
 constexpr Band kTwoPoses = {0.3, 5};
 constexpr Band kMorePoses = {0.7, 1.5};
 constexpr Band kWrongPrior = {0.3, 4};
@@ -112,28 +113,31 @@ void print(const std::vector<UncertaintyRow>& rows, const std::vector<Uncertaint
             << "claims too much. NO marks what is outside its bar.";
   if (rows.back().skins != seeds) std::cout << " Of the torus " << rows.back().skins << " skins.";
   std::cout << "\n\n";
-  std::vector<std::string> head = {"skin", "law", "offsets"};
-  for (const std::size_t poses : kPoses) head.push_back(std::to_string(poses) + " poses");
-  TextTable table(head);
-  for (std::size_t k = 0; k < rows.size(); k += kPoses.size()) {
-    const SkinCase& skin = rows[k].skin;
-    std::vector<std::string> line = {nameOf(skin), std::string(linkLawName(skin.law)),
-                                     formatFixed(skin.offset_sigma_mg, 0) + " mg"};
-    for (std::size_t pose = 0; pose < kPoses.size(); ++pose) line.push_back(inWords(rows[k + pose]));
-    table.add(std::move(line));
+  const auto skinOf = [](const UncertaintyRow& row) -> FigureRow {
+    return {ofText("skin", "", nameOf(row.skin)), ofText("law", "", std::string(linkLawName(row.skin.law))),
+            ofText("offsets", "", formatFixed(row.skin.offset_sigma_mg, 0) + " mg")};
+  };
+  const auto titleOf = [](std::size_t poses) { return std::to_string(poses) + " poses"; };
+  std::vector<FigureRow> table;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (k % kPoses.size() == 0) table.push_back(skinOf(rows[k]));
+    table.back().push_back(ofText(titleOf(rows[k].skin.poses), "", inWords(rows[k])));
   }
-  std::vector<std::string> bars = {"bar", "", ""};
-  for (const std::size_t poses : kPoses) bars.push_back(inWords(poses < 3 ? kTwoPoses : kMorePoses));
-  table.add(std::move(bars));
-  table.print();
+  FigureRow bars = {ofText("skin", "", "bar"), ofText("law", "", ""), ofText("offsets", "", "")};
+  for (const std::size_t poses : kPoses) {
+    bars.push_back(ofText(titleOf(poses), "", inWords(poses < 3 ? kTwoPoses : kMorePoses)));
+  }
+  table.push_back(std::move(bars));
+  printTable(table);
   std::cout << "\nThe offsets' sigma in the cell model is wrong (bar " << inWords(kWrongPrior) << "):\n";
-  TextTable wrong({"skin", "law", "offsets", "cell model", "poses", "nees"});
+  std::vector<FigureRow> wrong;
   for (const UncertaintyRow& row : wrong_prior) {
-    wrong.add({nameOf(row.skin), std::string(linkLawName(row.skin.law)),
-               formatFixed(row.skin.offset_sigma_mg, 0) + " mg", formatFixed(row.prior_mg, 0) + " mg",
-               std::to_string(row.skin.poses), inWords(row)});
+    wrong.push_back(skinOf(row));
+    wrong.back().push_back(ofText("cell model", "", formatFixed(row.prior_mg, 0) + " mg"));
+    wrong.back().push_back(ofCount("poses", "", row.skin.poses));
+    wrong.back().push_back(ofText("nees", "", inWords(row)));
   }
-  wrong.print();
+  printTable(wrong);
 }
 
 Json toJson(const UncertaintyRow& row) {

@@ -34,9 +34,8 @@ NeighborList withInterface(NeighborList cells, const LinkEnd& at, const CellMode
 }
 
 Explored explore(const std::string& patch, const ExplorationOptions& options = {}) {
-  SimulatedSkinOptions skin_options = SimulatedSkinOptions::ideal();
-  skin_options.patch = patch;
-  const SimulatedSkin skin(builtInCellModel("hex-bma150"), skin_options);
+  const SimulatedSkin skin(builtInCellModel("hex-bma150"),
+                           with(SimulatedSkinOptions::ideal(), &SimulatedSkinOptions::patch, patch));
   Explored explored{skin.neighbors(), skin.model(), firstFreePorts(skin.neighbors(), skin.model()).at(0), {}};
   explored.result = exploreNetwork(explored.truth, explored.model, {explored.interface_at}, options);
   return explored;
@@ -45,6 +44,29 @@ Explored explore(const std::string& patch, const ExplorationOptions& options = {
 const CellReport* find(const NeighborList& cells, std::uint32_t id) {
   const auto found = std::ranges::find(cells, CellId(id), &CellReport::id);
   return found == cells.end() ? nullptr : &*found;
+}
+
+/// The same skin with its cells numbered as one meets them who walks along the ports from the interface.
+NeighborList renumbered(const NeighborList& cells, const CellModel& model) {
+  std::map<CellId, CellId> numbers = {{model.interface_id, model.interface_id}};
+  std::vector<const CellReport*> met;
+  const auto meet = [&](CellId id) {
+    if (numbers.try_emplace(id, CellId(static_cast<std::uint32_t>(numbers.size()))).second)
+      met.push_back(find(cells, id.value()));
+  };
+  for (const CellReport& cell : cells) {
+    if (std::ranges::count(cell.neighbors, model.interface_id, &NeighborReport::cell) > 0) meet(cell.id);
+  }
+  NeighborList walked;
+  for (std::size_t k = 0; k < met.size(); ++k) {
+    walked.push_back(*met[k]);
+    walked.back().id = numbers.at(met[k]->id);
+    for (NeighborReport& link : walked.back().neighbors) {
+      meet(link.cell);
+      link.cell = numbers.at(link.cell);
+    }
+  }
+  return walked;
 }
 
 TEST(Exploration, FindsEveryLinkOfEveryPatch) {
@@ -75,18 +97,12 @@ TEST(Exploration, TakesThePapersTimeFor31CellsAndWaitsMostOfIt) {
 }
 
 TEST(Exploration, RoutesAreTheShortest) {
-  EXPECT_EQ(explore("sheet:1x1").result.longest_route, 1U);
+  const Exploration one = explore("sheet:1x1").result;
+  EXPECT_EQ(one.longest_route, 1U);
+  EXPECT_GT(one.messages, 10U) << "both sides say hello at two ports";
   EXPECT_EQ(explore("ring8").result.longest_route, 8U);
   EXPECT_EQ(explore("ring8:closed").result.longest_route, 5U);
   EXPECT_EQ(explore("ring9:closed").result.longest_route, 5U);
-}
-
-TEST(Exploration, CountsMessages) {
-  // Two ports are joined, of the interface's one and the cell's four; both say hello once or more at each.
-  const std::size_t one = explore("sheet:1x1").result.messages;
-  const std::size_t many = explore("sheet:10x10").result.messages;
-  EXPECT_GT(one, 10U);
-  EXPECT_GT(many, 40 * one / 2);
 }
 
 TEST(Exploration, CellsThatForgotTheirIdsGetNewOnes) {
@@ -96,31 +112,7 @@ TEST(Exploration, CellsThatForgotTheirIdsGetNewOnes) {
     const NeighborList truth = withInterface(explored.truth, explored.interface_at, explored.model);
     ASSERT_EQ(explored.result.cells.size(), truth.size());
     for (std::size_t k = 0; k < truth.size(); ++k) EXPECT_EQ(explored.result.cells[k].id.value(), k + 1);
-
-    // The skin is the same but for the numbers: it is walked along from the interface.
-    std::map<CellId, CellId> renamed;
-    const auto start = std::ranges::find_if(explored.result.cells, [&](const CellReport& cell) {
-      return std::ranges::any_of(cell.neighbors,
-                                 [&](const NeighborReport& link) { return link.cell == explored.model.interface_id; });
-    });
-    ASSERT_NE(start, explored.result.cells.end());
-    renamed[explored.interface_at.cell] = start->id;
-    std::vector<CellId> open = {explored.interface_at.cell};
-    while (!open.empty()) {
-      const CellReport& was = *find(truth, open.back().value());
-      const CellReport& is = *find(explored.result.cells, renamed.at(open.back()).value());
-      open.pop_back();
-      ASSERT_EQ(was.neighbors.size(), is.neighbors.size());
-      for (std::size_t k = 0; k < was.neighbors.size(); ++k) {
-        EXPECT_EQ(was.neighbors[k].port, is.neighbors[k].port);
-        EXPECT_EQ(was.neighbors[k].cell_port, is.neighbors[k].cell_port);
-        if (was.neighbors[k].cell == explored.model.interface_id) continue;
-        const auto [entry, is_new] = renamed.try_emplace(was.neighbors[k].cell, is.neighbors[k].cell);
-        EXPECT_EQ(entry->second, is.neighbors[k].cell);
-        if (is_new) open.push_back(was.neighbors[k].cell);
-      }
-    }
-    EXPECT_EQ(renamed.size(), truth.size());
+    EXPECT_EQ(renumbered(explored.result.cells, explored.model), renumbered(truth, explored.model)) << patch;
   }
 }
 
@@ -171,9 +163,7 @@ TEST(Exploration, AWrongPortIsExploredAsTheCellsKnowIt) {
 
 TEST(Exploration, AnInterfaceWithAPortForEachPatchFindsThemAll) {
   const CellModel model = builtInCellModel("hex-bma150");
-  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
-  options.patch = "ring8";
-  NeighborList cells = SimulatedSkin(model, options).neighbors();
+  NeighborList cells = explore("ring8").truth;
   // The same ring again, with other numbers, and one cell alone.
   for (CellReport cell : NeighborList(cells)) {
     cell.id = CellId(cell.id.value() + 8);

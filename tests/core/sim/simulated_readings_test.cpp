@@ -8,7 +8,8 @@
 #include "tests/support/options.h"
 #include "tests/support/sample_matchers.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+
 #include <array>
 #include <limits>
 
@@ -28,6 +29,15 @@ std::vector<Eigen::Vector3d> readingsOf(const std::vector<SampleFrame>& frames, 
     for (const CellSample& sample : frame.samples) {
       if (sample.cell == CellId(cell)) readings.push_back(sample.acceleration_g);
     }
+  }
+  return readings;
+}
+
+/// Of a cell in the scripted poses.
+std::vector<Eigen::Vector3d> readingsInPoses(SimulatedSkin& skin, std::size_t poses, unsigned cell) {
+  std::vector<Eigen::Vector3d> readings;
+  for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
+    std::ranges::copy(readingsOf(skin.record(up), cell), std::back_inserter(readings));
   }
   return readings;
 }
@@ -164,16 +174,14 @@ Eigen::Vector3d meanUpSeen(const SimulatedSkin& skin, const std::vector<SampleFr
   return sum.normalized();
 }
 
-SimulatedSkinOptions onlyHand() {
-  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
-  options.hand_held = true;
-  return options;
+SimulatedSkinOptions onlyHand(const std::string& patch = "x17") {
+  return test::with(SimulatedSkinOptions::ideal(), &SimulatedSkinOptions::hand_held, true, &SimulatedSkinOptions::patch,
+                    patch);
 }
 
 /// A skin in a hand of which this alone is not perfect, after the first pose, on the table.
 SimulatedSkin inHandWith(double SimulatedSkinOptions::*imperfection, const std::string& patch = "x17") {
-  SimulatedSkinOptions options = onlyHand();
-  options.patch = patch;
+  SimulatedSkinOptions options = onlyHand(patch);
   for (double SimulatedSkinOptions::*each :
        {&SimulatedSkinOptions::hand_orientation_sigma_rad, &SimulatedSkinOptions::tremor_angle_sigma_rad,
         &SimulatedSkinOptions::tremor_acceleration_g, &SimulatedSkinOptions::drift_rad_per_s}) {
@@ -257,10 +265,7 @@ TEST(SimulatedHand, TremorTurnsAndActsOnLeverArms) {
 
 TEST(SimulatedHand, ReadingsAreTheDerivativesOfOneRigidMotion) {
   // Three collinear cells of a flat sheet: accelerations of a rigid body are linear in position.
-  SimulatedSkinOptions options = onlyHand();
-  options.patch = "x17";
-  options.surface = "plane";
-  SimulatedSkin skin(kModel, options);
+  SimulatedSkin skin(kModel, test::with(onlyHand(), &SimulatedSkinOptions::surface, "plane"));
   skin.record(kUp, 1);
   const std::vector<SampleFrame> frames = skin.record({1, 0, 0}, 50);
   ASSERT_EQ(frames.size(), 50U);
@@ -297,7 +302,6 @@ TEST(SimulatedSkinSeed, RepeatsEverythingAndAnotherOneNothing) {
 }
 
 TEST(SimulatedFault, LeavesTheOtherCellsAsTheyWere) {
-  SimulatedSkin healthy(kModel, SimulatedSkinOptions());
   for (const SkinFault kind : {SkinFault::Dead, SkinFault::Stuck, SkinFault::StuckAxis, SkinFault::Saturated,
                                SkinFault::Noisy, SkinFault::NoSamples, SkinFault::WrongGain, SkinFault::DeadAxis}) {
     SimulatedSkin whole(kModel, SimulatedSkinOptions());
@@ -322,19 +326,12 @@ TEST(SimulatedFault, StuckRepeatsItsFirstReadingForEver) {
   SimulatedSkin skin(kModel, withFault(SkinFault::Stuck, 4));
   const Eigen::Vector3d first = readingsOf(skin.record(kUp), 4).front();
   EXPECT_GT(first.norm(), 0.7);
-  for (const Eigen::Vector3d& up : scriptedUpDirections(3)) {
-    for (const Eigen::Vector3d& reading : readingsOf(skin.record(up), 4)) EXPECT_EQ(reading, first);
-  }
+  EXPECT_THAT(readingsInPoses(skin, 3, 4), testing::Each(first));
 }
 
 TEST(SimulatedFault, StuckAxisHoldsOneAxisOnly) {
   SimulatedSkin skin(kModel, withFault(SkinFault::StuckAxis, 4));
-  std::vector<Eigen::Vector3d> readings;
-  for (const Eigen::Vector3d& up : scriptedUpDirections(3)) {
-    for (const Eigen::Vector3d& reading : readingsOf(skin.record(up), 4)) readings.push_back(reading);
-  }
-  const Eigen::Vector3d scatter = scatterOf(readings);
-  EXPECT_EQ((scatter.array() == 0).count(), 1);
+  EXPECT_EQ((scatterOf(readingsInPoses(skin, 3, 4)).array() == 0).count(), 1);
 }
 
 TEST(SimulatedFault, SaturatedSitsAtItsRangeInEveryPose) {
@@ -366,13 +363,8 @@ TEST(SimulatedFault, WrongGainAmplifiesAllAxesAlike) {
 TEST(SimulatedFault, DeadAxisReadsNoiseAboutZeroInEveryPose) {
   std::array<int, 3> drawn{};
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    SimulatedSkinOptions options = withFault(SkinFault::DeadAxis, 4);
-    options.seed = seed;
-    SimulatedSkin skin(kModel, options);
-    std::vector<Eigen::Vector3d> readings;
-    for (const Eigen::Vector3d& up : scriptedUpDirections(3)) {
-      for (const Eigen::Vector3d& reading : readingsOf(skin.record(up), 4)) readings.push_back(reading);
-    }
+    SimulatedSkin skin(kModel, test::with(withFault(SkinFault::DeadAxis, 4), &SimulatedSkinOptions::seed, seed));
+    const std::vector<Eigen::Vector3d> readings = readingsInPoses(skin, 3, 4);
     const Eigen::Vector3d scatter = scatterOf(readings);
     int axis = 0;
     scatter.minCoeff(&axis);

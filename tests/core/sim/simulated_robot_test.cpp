@@ -15,8 +15,9 @@ namespace {
 using test::messageOf;
 using test::saysAll;
 
-CellModel hex() { return builtInCellModel("hex-bma150"); }
-RobotModel demoArm() { return RobotModel::read(HEXODERM_DEMO_ROBOT); }
+SimulatedRobot demoRobotWith(const SimulatedRobotOptions& options) {
+  return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT), options};
+}
 
 SimulatedRobotOptions demoOptions(SimulatedRobotOptions options = {}) {
   options.mounts = demoMounts();
@@ -34,7 +35,7 @@ TEST(SimulatedRobot, IdealCellsReadGravityInTheFramesThatTheTruthStates) {
   SimulatedRobotOptions options = demoOptions(SimulatedRobotOptions::ideal());
   options.zero_offset_sigma_rad = 2 * kDegree;
   options.base_tilt_sigma_rad = 1 * kDegree;
-  SimulatedRobot robot(hex(), demoArm(), options);
+  SimulatedRobot robot = demoRobotWith(options);
   for (int k = 0; k < 3; ++k) {
     const SimulatedRobotPose pose = robot.nextPose();
     const std::vector<SE3> T_w_l = robot.robot().forward(pose.true_angles);
@@ -53,7 +54,7 @@ TEST(SimulatedRobot, IdealCellsReadGravityInTheFramesThatTheTruthStates) {
 TEST(SimulatedRobot, TheRobotReportsAnglesThatMissTheTruthByItsZeroOffsets) {
   SimulatedRobotOptions options = demoOptions();
   options.zero_offset_sigma_rad = 2 * kDegree;
-  SimulatedRobot robot(hex(), demoArm(), options);
+  SimulatedRobot robot = demoRobotWith(options);
   const SimulatedRobotPose pose = robot.nextPose();
   EXPECT_EQ(pose.reported.positions.size(), 5U);
   EXPECT_GT(std::abs(robot.zeroOffsets().positions.at("elbow")), 0);
@@ -69,7 +70,7 @@ TEST(SimulatedRobot, TheRobotReportsAnglesThatMissTheTruthByItsZeroOffsets) {
 }
 
 TEST(SimulatedRobot, TheBacksOfTheCellsLieOnTheLinksBody) {
-  SimulatedRobot robot(hex(), demoArm(), demoOptions(SimulatedRobotOptions::ideal()));
+  SimulatedRobot robot = demoRobotWith(demoOptions(SimulatedRobotOptions::ideal()));
   for (const MountedPatch& patch : robot.patches()) {
     const TriangleMesh body = robot.robot().bodyOf(robot.robot().linkNamed(patch.link));
     const MeshSurface surface(body, patch.T_l_u.front());
@@ -88,7 +89,7 @@ TEST(SimulatedRobot, InAHandTheWholeRobotIsOneRigidBodyThatTrembles) {
   // Both on one link, and so far from a rotation centre that the field matters little.
   options.mounts = {{"forearm", {Eigen::Matrix3d::Identity(), {0, 0, 0.1}}, "ring3", "plane"},
                     {"forearm", {rotationFromRpy({0.3, 0.2, 0.1}), {0, 0, 0.1}}, "ring3", "plane"}};
-  SimulatedRobot robot(hex(), demoArm(), options);
+  SimulatedRobot robot = demoRobotWith(options);
   robot.nextPose();
   const SimulatedRobotPose pose = robot.nextPose();
   EXPECT_GT(angleBetween(pose.up_w, Eigen::Vector3d::UnitZ()), 5 * kDegree) << "turned anew";
@@ -113,14 +114,14 @@ TEST(SimulatedRobot, PutsThePatchesMiddleWhereItIsMounted) {
   SimulatedRobotOptions options = SimulatedRobotOptions::ideal();
   const SE3 T_l_m{rotationFromRpy({0.3, -0.4, 1.0}), {0.1, 0.2, 0.3}};
   options.mounts = {{"hand", T_l_m, "x17", "cylinder:r=0.06"}};
-  const SimulatedRobot robot(hex(), demoArm(), options);
+  const SimulatedRobot robot = demoRobotWith(options);
   const SE3& T_l_u = robot.patches()[0].T_l_u.front();
   EXPECT_LT((T_l_u.t - T_l_m.t).norm(), 1e-12);
   EXPECT_LT((T_l_u.R.col(2) - T_l_m.R.col(2)).norm(), 1e-12);
 }
 
 TEST(SimulatedRobot, NumbersCellsMountByMountAndNamesPartsNotLinks) {
-  const SimulatedRobot robot(hex(), demoArm(), demoOptions());
+  const SimulatedRobot robot = demoRobotWith(demoOptions());
   ASSERT_EQ(robot.neighbors().size(), 34U);
   for (std::size_t k = 0; k < 34; ++k) {
     EXPECT_EQ(robot.neighbors()[k].id, CellId(static_cast<std::uint32_t>(k + 1)));
@@ -137,7 +138,7 @@ TEST(SimulatedRobot, FollowsFromItsSeed) {
   const auto first = [](std::uint64_t seed) {
     SimulatedRobotOptions options = demoOptions();
     options.seed = seed;
-    SimulatedRobot robot(hex(), demoArm(), options);
+    SimulatedRobot robot = demoRobotWith(options);
     robot.nextPose();
     return readings(robot.record(1).front()).at(CellId(20));
   };
@@ -147,7 +148,7 @@ TEST(SimulatedRobot, FollowsFromItsSeed) {
 
 TEST(SimulatedRobot, RefusesWhatMakesNoRobot) {
   const auto complaint = [](SimulatedRobotOptions options) {
-    return messageOf<InvalidArgument>([&] { SimulatedRobot(hex(), demoArm(), options); });
+    return messageOf<InvalidArgument>([&] { demoRobotWith(options); });
   };
   EXPECT_THAT(complaint({}), saysAll("at least one patch"));
   SimulatedRobotOptions options;
@@ -156,7 +157,7 @@ TEST(SimulatedRobot, RefusesWhatMakesNoRobot) {
   options = demoOptions();
   options.zero_offset_sigma_rad = -1;
   EXPECT_THAT(complaint(options), saysAll("zero_offset_sigma_rad"));
-  SimulatedRobot robot(hex(), demoArm(), demoOptions());
+  SimulatedRobot robot = demoRobotWith(demoOptions());
   EXPECT_THROW(robot.record(), InvalidArgument) << "no pose yet";
 }
 

@@ -8,6 +8,7 @@
 #include "hexoderm/skin/skin_graph.h"
 #include "tests/core/sim/standard_skin.h"
 #include "tests/support/error_matchers.h"
+#include "tests/support/options.h"
 
 #include <gtest/gtest.h>
 #include <algorithm>
@@ -21,11 +22,8 @@ namespace {
 const double kReach = kModel.reach_m();
 
 SimulatedSkinOptions ideal(const std::string& patch, const std::string& surface = "", LinkLaw law = LinkLaw::Bend) {
-  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
-  options.patch = patch;
-  options.surface = surface;
-  options.link_law = law;
-  return options;
+  return test::with(SimulatedSkinOptions::ideal(), &SimulatedSkinOptions::patch, patch, &SimulatedSkinOptions::surface,
+                    surface, &SimulatedSkinOptions::link_law, law);
 }
 
 const SE3& placement(const SimulatedSkin& skin, CellId id) { return skin.truth().at(id.value() - 1).T_b_u; }
@@ -61,17 +59,6 @@ double largestMisfit(const SimulatedSkin& skin) {
   double largest = 0;
   for (const TrueLink& link : linksOf(skin)) largest = std::max(largest, misfit(skin, link));
   return largest;
-}
-
-TEST(SimulatedSkin, X17IsATreeOfSixteenLinks) {
-  const SimulatedSkin skin(kModel, SimulatedSkinOptions());
-  const SkinGraph graph(skin.model(), skin.neighbors());
-  EXPECT_EQ(graph.cells().size(), 17U);
-  EXPECT_EQ(graph.links().size(), 16U);
-  EXPECT_EQ(graph.patches().size(), 1U);
-  EXPECT_TRUE(graph.findings().empty());
-  EXPECT_EQ(skin.neighbors().front().neighbors.size(), 4U);
-  EXPECT_FALSE(skin.loop().has_value());
 }
 
 TEST(SimulatedSkin, X17IsTwoStraightLinesThatCrossAtSixtyDegrees) {
@@ -259,17 +246,13 @@ TEST(SimulatedSkin, JitterHasItsSpread) {
 }
 
 TEST(SimulatedSkin, SaysWhatItIs) {
-  SimulatedSkinOptions options;
-  EXPECT_EQ(SimulatedSkin(kModel, options).description().english(),
-            "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1");
-  options.patch = "ring8";
-  options.link_law = LinkLaw::Surface;
-  options.seed = 7;
-  EXPECT_EQ(SimulatedSkin(kModel, options).description().english(),
+  const auto text = [](const SimulatedSkinOptions& options) {
+    return SimulatedSkin(kModel, options).description().english();
+  };
+  EXPECT_EQ(text({}), "Simulated x17 on cylinder:r=0.0501, link law bend, seed 1");
+  EXPECT_EQ(text(test::with(ideal("ring8", "", LinkLaw::Surface), &SimulatedSkinOptions::seed, 7)),
             "Simulated ring8 on cylinder:r=0.0354, link law surface, seed 7");
-  options.patch = "sheet:2x3";
-  EXPECT_EQ(SimulatedSkin(kModel, options).description().english(),
-            "Simulated sheet:2x3 on plane, link law surface, seed 7");
+  EXPECT_EQ(text(ideal("sheet:2x3")), "Simulated sheet:2x3 on plane, link law bend, seed 1");
 }
 
 TEST(SimulatedSkin, RefusesWhatCannotBeWithAReason) {
@@ -316,6 +299,7 @@ TEST(SimulatedSkin, RefusesAModelWithoutOppositePorts) {
 }
 
 TEST(SimulatedSkin, RefusesNegativeOptionsByName) {
+  EXPECT_NO_THROW(test::with(&SimulatedSkinOptions::joint_angle_rad, -0.1).validate());
   using Option = double SimulatedSkinOptions::*;
   for (const auto& [option, name] : std::vector<std::pair<Option, std::string>>{
            {&SimulatedSkinOptions::position_jitter_m, "position_jitter_m"},
@@ -324,21 +308,14 @@ TEST(SimulatedSkin, RefusesNegativeOptionsByName) {
            {&SimulatedSkinOptions::hand_orientation_sigma_rad, "hand_orientation_sigma_rad"},
            {&SimulatedSkinOptions::tremor_angle_sigma_rad, "tremor_angle_sigma_rad"},
            {&SimulatedSkinOptions::tremor_acceleration_g, "tremor_acceleration_g"},
+           {&SimulatedSkinOptions::joint_angle_rad, "joint_angle_rad"},
            {&SimulatedSkinOptions::drift_rad_per_s, "drift_rad_per_s"}}) {
     for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
-      SimulatedSkinOptions options;
-      options.*option = bad;
+      if (bad < 0 && option == &SimulatedSkinOptions::joint_angle_rad) continue;
+      const SimulatedSkinOptions options = test::with(option, bad);
       EXPECT_THAT(test::messageOf<InvalidArgument>([&] { options.validate(); }), testing::HasSubstr(name));
     }
   }
-}
-
-TEST(SimulatedSkin, RefusesAJointAngleThatIsNoNumber) {
-  SimulatedSkinOptions options;
-  options.joint_angle_rad = -0.1;
-  EXPECT_NO_THROW(options.validate());
-  options.joint_angle_rad = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(options.validate(), InvalidArgument);
 }
 
 }  // namespace

@@ -170,14 +170,17 @@ TEST(Garbage, HealthySkinsHaveNone) {
       {},
       {.surface = "sphere:r=0.1"},
       {.patch = "ring8"},
+      {.patch = "ring8:closed"},
+      {.patch = "sheet:3x4"},
       {.patch = "sheet:5x5"},
       {.patch = "sheet:5x5", .surface = "cylinder:r=0.08"},
       {.patch = "sheet:5x5", .surface = "torus:R=0.2,r=0.1"},
       {.patch = "sheet:4x5", .surface = "cone:r=0.06,angle=0.3", .law = LinkLaw::Surface}};
   for (const SkinCase& skin : skins) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      for (const std::size_t poses : {2U, 3U, 4U}) {
+      for (const std::size_t poses : {2U, 3U, 4U, 6U}) {
         const auto result = solved(skin, seed, poses);
+        EXPECT_EQ(findingOf(*result, FindingCode::SensorsUnlikeModel), nullptr) << skin.patch;
         EXPECT_THAT(namedCells(*result), ::testing::IsEmpty())
             << skin.patch << " on " << skin.surface << ", seed " << seed << ", " << poses << " poses";
       }

@@ -2,6 +2,7 @@
 
 #include "hexoderm/solve/faults/suspects.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/estimated_links.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
 
@@ -71,16 +72,12 @@ TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLink
     for (const std::uint32_t id : {20U, 21U, 34U, 47U, 60U, 90U, 103U, 120U, 140U}) {
       options.faults.push_back({SkinFault::WrongGain, CellId(id)});
     }
-    const auto snapshot = test::simulatedSession(options, 4).snapshot();
-    const SolverOptions solver;
-    std::vector<Finding> findings;
-    SkinLinks all(*snapshot, solver, findings);
-    SkinLinks around(*snapshot, solver, findings);
-    all.estimateEdges();
-    around.estimateEdges();
-    const std::vector<std::size_t> dropped = cellsDroppedTheLongWay(all);
+    const Session session = test::simulatedSession(options, 4);
+    test::EstimatedLinks all(session);
+    test::EstimatedLinks some(session);
+    SkinLinks& around = some.links;
+    const std::vector<std::size_t> dropped = cellsDroppedTheLongWay(all.links);
     EXPECT_GE(dropped.size(), 3U) << "seed " << seed;
-
     SuspectSearch search(around);
     std::vector<std::size_t> chosen;
     std::size_t judged = 0;
@@ -92,7 +89,7 @@ TEST(NeighborsOfManyCells, AreJudgedTheSameToTheLastBitAndCostsNoMoreThanTheLink
       search.update(links);
     }
     EXPECT_EQ(chosen, dropped) << "seed " << seed;
-    expectSameEdges(around, all);
+    expectSameEdges(around, all.links);
     EXPECT_LE(judged, 4 * dropped.size() * dropped.size()) << "at most all links of those dropped so far, each time";
     EXPECT_LT(judged, 8 * dropped.size()) << "seed " << seed << ": hardly more than their own";
   }

@@ -1,5 +1,6 @@
 #include "hexoderm/solve/global/global_cost.h"
 
+#include "hexoderm/solve/global/linearize_kernels.h"
 #include "tests/core/solve/global/joint_case.h"
 #include "tests/support/matchers.h"
 
@@ -23,14 +24,36 @@ GlobalState stepped(const GlobalProblem& problem, const GlobalState& state, cons
 /// Steps by which the cost would rise by a like amount: one standard deviation of each unknown alone.
 Eigen::VectorXd scaleOf(const Eigen::MatrixXd& H) { return H.diagonal().cwiseMax(1e-12).cwiseSqrt().cwiseInverse(); }
 
+Eigen::VectorXd gradientOf(const NormalEquations& equations) {
+  Eigen::VectorXd gradient(equations.gradient_cells.size() + equations.gradient_border.size());
+  gradient << equations.gradient_cells, equations.gradient_border;
+  return gradient;
+}
+
+/// The equations at a state, which are the same with vector instructions and without, per standard deviation of each
+/// unknown alone.
+NormalEquations linearized(const GlobalProblem& problem, const GlobalState& state) {
+  NormalEquations portable;
+  NormalEquations fast;
+  linearize(problem, state, portable, portableLinearizeKernels());
+  linearize(problem, state, fast, linearizeKernels());
+  EXPECT_NEAR(portable.cost, jointCost(problem, state), 1e-12 * portable.cost);
+  EXPECT_NEAR(fast.cost, portable.cost, 1e-12 * portable.cost);
+  const Eigen::MatrixXd H = denseMatrix(problem, portable);
+  const Eigen::VectorXd scale = scaleOf(H);
+  const Eigen::MatrixXd difference = scale.asDiagonal() * (denseMatrix(problem, fast) - H) * scale.asDiagonal();
+  EXPECT_LT(difference.cwiseAbs().maxCoeff(), 1e-11);
+  const Eigen::VectorXd gradient = gradientOf(portable).cwiseProduct(scale);
+  EXPECT_LT((gradientOf(fast).cwiseProduct(scale) - gradient).cwiseAbs().maxCoeff(),
+            1e-11 * std::max(1.0, gradient.cwiseAbs().maxCoeff()));
+  return fast;
+}
+
 /// The largest difference between linearize()'s gradient and central differences, in units of the largest element (per
 /// standard deviation).
 double gradientError(const GlobalProblem& problem, const GlobalState& state) {
-  NormalEquations equations;
-  linearize(problem, state, equations);
-  EXPECT_NEAR(equations.cost, jointCost(problem, state), 1e-12 * equations.cost);
-  Eigen::VectorXd gradient(equations.gradient_cells.size() + equations.gradient_border.size());
-  gradient << equations.gradient_cells, equations.gradient_border;
+  const NormalEquations equations = linearized(problem, state);
+  const Eigen::VectorXd gradient = gradientOf(equations);
   const Eigen::VectorXd scale = scaleOf(denseMatrix(problem, equations));
   double worst = 0;
   double largest = 0;
@@ -119,8 +142,30 @@ TEST(GlobalCost, GradientIsRightWithATurnedAccelerometerAndMissingReadings) {
   example.problem.model = &model;
   example.problem.readings[2].clear();
   example.problem.readings[9].erase(example.problem.readings[9].begin() + 1);
+  std::ranges::reverse(example.problem.readings[11]);
   example.problem.accelerations = true;
-  EXPECT_LT(gradientError(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 5)), 1e-6);
+  const GlobalState state = perturbed(example.problem, example.truth, 0.1, 0.001, 5);
+  EXPECT_LT(gradientError(example.problem, state), 1e-6);
+  model.accelerometer.scale_sigma = 0;
+  linearized(example.problem, state);
+}
+
+TEST(GlobalCost, TakesAnyNumberOfPoses) {
+  for (const std::size_t poses : {7U, 63U, 66U}) {
+    const GlobalCase example = simulatedCase(test::skinOptions("sheet:2x2"), poses, kFitGap);
+    linearized(example.problem, perturbed(example.problem, example.truth, 0.01, 0.001, 5));
+  }
+}
+
+TEST(GlobalCost, OfANumberThatIsNotFiniteIsNoneEither) {
+  const GlobalCase example = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
+  for (const bool in_force : {false, true}) {
+    GlobalState state = example.truth;
+    (in_force ? state.force_o[1] : state.cells[6].t)[0] = std::numeric_limits<double>::quiet_NaN();
+    NormalEquations equations;
+    linearize(example.problem, state, equations);
+    EXPECT_FALSE(std::isfinite(equations.cost)) << in_force;
+  }
 }
 
 TEST(GlobalCost, MatrixIsPositiveSemiDefiniteAnywhere) {
@@ -131,8 +176,8 @@ TEST(GlobalCost, MatrixIsPositiveSemiDefiniteAnywhere) {
         for (const bool accelerations : {false, true}) {
           example.problem.accelerations = accelerations;
           for (const double away : {0.0, 0.1, 1.0}) {
-            NormalEquations equations;
-            linearize(example.problem, perturbed(example.problem, example.truth, away, 0.01 * away, 7), equations);
+            const NormalEquations equations =
+                linearized(example.problem, perturbed(example.problem, example.truth, away, 0.01 * away, 7));
             for (const Matrix6d& block : equations.cells)
               EXPECT_LT((block - block.transpose()).norm(), 1e-9 * block.norm());
             const Eigen::MatrixXd H = denseMatrix(example.problem, equations);

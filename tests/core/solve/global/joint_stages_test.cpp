@@ -5,6 +5,7 @@
 #include "hexoderm/solve/global/global_refinement.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
+#include "tests/support/estimated_links.h"
 #include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
@@ -12,7 +13,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,55 +34,44 @@ struct SimulatedSession {
                                                    "cylinder:r=" + std::to_string(0.25 * side / 35),
                                                    static_cast<std::uint64_t>(seed)))),
         session(simulateSession(skin, poses)) {}
-
   SimulatedSkin skin;
   Session session;
 };
 
 /// The same as its joint estimate finds it: the problem, and the tree's placements to start from.
-class TreeStart {
+class TreeStart : SimulatedSession {
  public:
-  TreeStart(int side, std::size_t poses, int seed) {
-    const SimulatedSession simulated(side, poses, seed);
-    snapshot_ = simulated.session.snapshot();
-    for (const TrueCell& cell : simulated.skin.truth()) T_b_u_.push_back(cell.T_b_u);
-    links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
-    links_->estimateEdges();
-    weights_ = linkWeights(*links_);
-    const PatchSolver patch(*links_, weights_, 0);
-    std::vector<SE3> placements;
-    for (const TreePlacement& placement : patch.treePlacements()) placements.push_back(placement.T_o_u);
-    refinement_ = std::make_unique<GlobalRefinement>(links_->model(), links_->graph(), links_->table(), options_,
-                                                     patch.cells(), patch.origin(), placements);
-  }
-
-  [[nodiscard]] const GlobalProblem& problem() const { return refinement_->problem(); }
-  [[nodiscard]] const GlobalState& state() const { return refinement_->solution().state; }
+  using SimulatedSession::SimulatedSession;
+  [[nodiscard]] const GlobalProblem& problem() const { return refinement_.problem(); }
+  [[nodiscard]] const GlobalState& state() const { return refinement_.solution().state; }
   /// The same with the true placements.
   [[nodiscard]] GlobalState truth() const {
     GlobalState truth = state();
     for (std::size_t k = 0; k < truth.cells.size(); ++k) {
-      truth.cells[k] = T_b_u_[problem().origin].inverse() * T_b_u_[k];
+      truth.cells[k] = skin.truth()[problem().origin].T_b_u.inverse() * skin.truth()[k].T_b_u;
     }
     return truth;
   }
 
  private:
-  SolverOptions options_;
-  std::vector<Finding> findings_;
-  std::shared_ptr<const SessionSnapshot> snapshot_;
-  std::vector<SE3> T_b_u_;
-  std::unique_ptr<SkinLinks> links_;
-  std::vector<double> weights_;
-  std::unique_ptr<GlobalRefinement> refinement_;
+  [[nodiscard]] std::vector<SE3> placements() const {
+    std::vector<SE3> placements;
+    for (const TreePlacement& placement : patch_.treePlacements()) placements.push_back(placement.T_o_u);
+    return placements;
+  }
+
+  test::EstimatedLinks estimated_{session};
+  SkinLinks& links_ = estimated_.links;
+  std::vector<double> weights_ = linkWeights(links_);
+  PatchSolver patch_{links_, weights_, 0};
+  GlobalRefinement refinement_{links_.model(), links_.graph(),  links_.table(), estimated_.options,
+                               patch_.cells(), patch_.origin(), placements()};
 };
 
 /// The cost where a strict solve from the true placements ends, which close the links: no stages are needed.
 double strictCost(const TreeStart& start) {
-  GlobalSolverOptions strict;
-  strict.cost_tolerance = 1e-12;
-  strict.max_iterations = 300;
-  strict.covariance = false;
+  const auto strict = test::with(&GlobalSolverOptions::cost_tolerance, 1e-12, &GlobalSolverOptions::max_iterations, 300,
+                                 &GlobalSolverOptions::covariance, false);
   return solveJointly(start.problem(), start.truth(), strict).cost;
 }
 
@@ -106,10 +95,8 @@ TEST(GlobalStages, GrossErrorsDoNotLeadTheStagesAway) {
   const TreeStart start(kSide, 2, 101);
   GlobalProblem problem = start.problem();
   for (std::size_t cell = 7; cell < problem.cellCount(); cell += 50) problem.readings[cell][1].y_g *= -1;
-  GlobalSolverOptions options;
-  options.covariance = false;
   // Readings that are wrong, but not yet freed, leave a long valley to the last digits: what counts is where it ends.
-  options.max_iterations = 300;
+  const auto options = test::with(&GlobalSolverOptions::covariance, false, &GlobalSolverOptions::max_iterations, 300);
   const GlobalSolution solution = solveJointly(problem, start.state(), options);
   const double reference = solveJointly(problem, start.truth(), options).cost;
   EXPECT_EQ(solution.termination, GlobalTermination::Converged);

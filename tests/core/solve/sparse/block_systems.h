@@ -76,6 +76,16 @@ inline Graph randomGraph(std::size_t size, std::size_t couples, unsigned seed) {
   return graph;
 }
 
+/// The first cells of a ring are all joined to each other.
+inline Graph cliqueInARing(std::size_t joined, std::size_t size) {
+  Graph graph = ring(size);
+  graph.name = "CliqueInARing";
+  for (std::size_t a = 0; a < joined; ++a) {
+    for (std::size_t b = a + 2; b < joined; ++b) graph.couples.push_back({a, b});
+  }
+  return graph;
+}
+
 /// Two lattices, a chain and two cells alone.
 inline Graph parts() {
   Graph graph{"Parts", 0, {}};

@@ -1,6 +1,7 @@
 #include "hexoderm/solve/tree/skin_links.h"
 
 #include "hexoderm/skin/shortest_paths.h"
+#include "tests/support/estimated_links.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 
@@ -9,13 +10,8 @@ namespace {
 
 class SkinLinksTest : public ::testing::Test {
  protected:
-  SkinLinksTest() { links_.estimateEdges(); }
-
-  PinJointedSkin skin_ = bentX17();
-  std::shared_ptr<const SessionSnapshot> snapshot_ = skin_.session(orthogonalUps(3)).snapshot();
-  SolverOptions options_;
-  std::vector<Finding> findings_;
-  SkinLinks links_{*snapshot_, options_, findings_};
+  test::EstimatedLinks estimated_{bentX17().session(orthogonalUps(3))};
+  SkinLinks& links_ = estimated_.links;
 };
 
 TEST_F(SkinLinksTest, ADroppedPoseIsUsedByNoLink) {

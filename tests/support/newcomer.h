@@ -1,19 +1,23 @@
 #pragma once
 
+#include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 
 #include <QCoreApplication>
 #include <QSettings>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 
 namespace hexoderm {
 
-/// Settings and style as a newcomer has them, for pictures of the window, and gone with this. Before the QApplication.
+/// Settings, folders and style as a newcomer has them, gone with this: for programs that drive the real window. Before
+/// the QApplication.
 class Newcomer {
  public:
   Newcomer() {
     QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings_.path());
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+    QStandardPaths::setTestModeEnabled(true);
     installStyle();
 #if QT_VERSION < QT_VERSION_CHECK(6, 0, 0)
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
@@ -22,8 +26,11 @@ class Newcomer {
     QCoreApplication::setApplicationName(QStringLiteral("hexoderm"));
   }
 
+  /// A folder for files of the program's own.
+  [[nodiscard]] QString folder() const { return folder_.path(); }
+
  private:
-  QTemporaryDir settings_;
+  QTemporaryDir folder_;
 };
 
 }  // namespace hexoderm
