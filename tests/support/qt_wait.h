@@ -2,13 +2,8 @@
 
 #include "tests/support/patience.h"
 
-#include <QApplication>
-#include <QEventLoop>
-#include <QMouseEvent>
-#include <QTest>
-#include <QTimer>
-#include <QWheelEvent>
-#include <QWidget>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace hexoderm::test {
 

@@ -2,11 +2,6 @@
 
 #include "tests/app/window/window_test.h"
 
-#include <QComboBox>
-#include <QTabBar>
-#include <algorithm>
-#include <vector>
-
 namespace hexoderm {
 
 /// The window with nobody at the mouse: everything a test does here is a key, sent to where keys go.

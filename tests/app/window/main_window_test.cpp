@@ -5,8 +5,6 @@
 #include "widgets/capture/coverage_view.h"
 #include "widgets/controls/view_mark.h"
 
-#include <QListWidget>
-
 namespace hexoderm {
 namespace {
 

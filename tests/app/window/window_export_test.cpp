@@ -6,12 +6,7 @@
 #include "tests/app/window/window_test.h"
 #include "tests/support/failing_disk.h"
 
-#include <QComboBox>
-#include <QDesktopServices>
-#include <QListWidget>
-#include <QUrl>
 #include <filesystem>
-#include <functional>
 
 namespace hexoderm {
 namespace {
@@ -286,5 +281,4 @@ TEST_F(WindowExportTest, ASkinWithoutCellsIsShownAndSaysWhatCanNotBeMadeOfIt) {
 }  // namespace
 }  // namespace hexoderm
 
-#include "tests/support/paths.h"
 #include "window_export_test.moc"

@@ -1,11 +1,6 @@
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/finding_table.h"
-
-#include <QProcess>
-#include <QToolButton>
-#include <QUrl>
 
 namespace hexoderm {
 namespace {

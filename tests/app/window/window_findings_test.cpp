@@ -6,10 +6,6 @@
 #include "widgets/tables/finding_table.h"
 #include "widgets/words/formatting.h"
 
-#include <QTabBar>
-#include <algorithm>
-#include <functional>
-
 namespace hexoderm {
 namespace {
 

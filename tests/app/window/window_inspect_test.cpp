@@ -7,7 +7,6 @@
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/finding_card.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_marks.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
@@ -18,8 +17,6 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
-#include <QToolButton>
-#include <algorithm>
 
 namespace hexoderm {
 namespace {

@@ -5,9 +5,6 @@
 #include "hexoderm/io/calibration_json.h"
 #include "tests/app/window/keyboard.h"
 
-#include <QListWidget>
-#include <QSet>
-
 namespace hexoderm {
 namespace {
 

@@ -7,16 +7,10 @@
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/message_bar.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/controls/view_mark.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/verify/verify_panel.h"
 
-#include <QHeaderView>
-#include <QProgressBar>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QTabBar>
 #include <condition_variable>
 #include <map>
 #include <mutex>

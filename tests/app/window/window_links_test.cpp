@@ -1,12 +1,7 @@
 // Links that the operator sets aside, as a cable for example, and takes back.
 
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
 #include "widgets/tables/link_table.h"
-
-#include <QContextMenuEvent>
-#include <QImage>
-#include <QMenu>
 
 namespace hexoderm {
 namespace {

@@ -4,9 +4,6 @@
 #include "widgets/capture/stillness_view.h"
 #include "widgets/patch/patch_view.h"
 
-#include <QComboBox>
-#include <QElapsedTimer>
-
 namespace hexoderm {
 namespace {
 

@@ -3,13 +3,8 @@
 #include "hexoderm/base/units.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
 #include "widgets/capture/hold_ring.h"
 #include "widgets/controls/check_list.h"
-#include "widgets/controls/step_panel.h"
-
-#include <QRegularExpression>
-#include <QTabBar>
 
 namespace hexoderm {
 namespace {

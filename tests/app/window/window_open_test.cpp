@@ -4,7 +4,6 @@
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
 
 namespace hexoderm {
 namespace {

@@ -5,9 +5,6 @@
 #include "tests/app/window/keyboard.h"
 #include "tests/support/failing_disk.h"
 
-#include <QListWidget>
-#include <QTextBrowser>
-#include <QTreeWidget>
 #include <future>
 
 namespace hexoderm {

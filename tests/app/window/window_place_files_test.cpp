@@ -2,11 +2,7 @@
 // are of no use.
 
 #include "tests/app/window/window_place_fixture.h"
-#include "tests/support/paths.h"
 #include "widgets/tables/joint_table_view.h"
-
-#include <QClipboard>
-#include <QFileInfo>
 
 namespace hexoderm {
 namespace {

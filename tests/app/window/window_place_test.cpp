@@ -3,9 +3,6 @@
 
 #include "hexoderm/io/calibration_json.h"
 #include "tests/app/window/window_place_fixture.h"
-#include "tests/support/paths.h"
-
-#include <QLineEdit>
 
 namespace hexoderm {
 namespace {

@@ -8,37 +8,19 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/app/window/keyboard_keeper.h"
 #include "tests/support/kept_picture.h"
-#include "tests/support/paths.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 
-#include <gmock/gmock.h>
-
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDir>
-#include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QFile>
-#include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QMimeData>
-#include <QPushButton>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTabBar>
-#include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
+#include <algorithm>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace hexoderm {
 

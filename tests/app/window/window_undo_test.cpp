@@ -2,8 +2,6 @@
 
 #include "tests/app/window/window_test.h"
 
-#include <functional>
-
 namespace hexoderm {
 namespace {
 

@@ -7,10 +7,6 @@
 #include "tests/app/window/window_test.h"
 #include "widgets/verify/verify_panel.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QScrollArea>
-
 namespace hexoderm {
 namespace {
 

@@ -6,7 +6,6 @@
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/check_list.h"
 
-#include <QFileInfo>
 #include <cmath>
 
 namespace hexoderm {

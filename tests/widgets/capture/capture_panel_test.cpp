@@ -9,10 +9,6 @@
 #include "widgets/controls/toggle_switch.h"
 
 #include <gtest/gtest.h>
-#include <QAction>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTest>
 
 namespace hexoderm {
 namespace {

@@ -4,7 +4,6 @@
 #include "widgets/capture/speaker.h"
 
 #include <gmock/gmock.h>
-#include <QSignalSpy>
 
 namespace hexoderm {
 namespace {

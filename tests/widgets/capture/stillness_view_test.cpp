@@ -3,8 +3,6 @@
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QLabel>
-#include <QTest>
 #include <cmath>
 
 namespace hexoderm {

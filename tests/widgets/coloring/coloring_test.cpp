@@ -1,6 +1,5 @@
 #include "widgets/coloring/coloring.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "widgets/coloring/coloring_words.h"
 

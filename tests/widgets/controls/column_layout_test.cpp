@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include "tests/support/qt_wait.h"
 
-#include <QLabel>
 #include <memory>
 #include <set>
 #include <vector>

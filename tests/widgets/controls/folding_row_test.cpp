@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 #include "tests/support/qt_wait.h"
 
-#include <QMenu>
-#include <QSignalSpy>
-#include <QToolButton>
 #include <algorithm>
 #include <vector>
 

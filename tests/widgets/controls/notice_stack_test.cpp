@@ -4,8 +4,6 @@
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/message_bar.h"
 
-#include <QVBoxLayout>
-
 namespace hexoderm {
 namespace {
 

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include "tests/support/qt_wait.h"
 
-#include <QImage>
-
 namespace hexoderm {
 namespace {
 

@@ -1,18 +1,10 @@
 // The graph's colours, its legend, its tooltips and its context menu.
 
 #include "hexoderm/solve/result/uncertainty.h"
-#include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
 #include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/style/color_maps.h"
-
-#include <QAction>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QSignalSpy>
-#include <QToolButton>
 
 namespace hexoderm {
 namespace {

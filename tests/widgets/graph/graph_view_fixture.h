@@ -1,19 +1,10 @@
 #pragma once
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
-
-#include <gmock/gmock.h>
-#include <QApplication>
-#include <QHelpEvent>
-#include <QImage>
-#include <QTest>
-#include <QToolTip>
-
-#include <cmath>
-#include <string>
 
 namespace hexoderm {
 

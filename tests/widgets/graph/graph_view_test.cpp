@@ -1,10 +1,6 @@
 #include "widgets/graph/graph_view.h"
 
-#include "tests/support/hand_made_skins.h"
-#include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
-
-#include <QLineEdit>
 
 namespace hexoderm {
 namespace {

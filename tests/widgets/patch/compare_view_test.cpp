@@ -8,13 +8,7 @@
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
 
-#include <gtest/gtest.h>
 #include <vtkCamera.h>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QSlider>
-#include <QTest>
-#include <QToolButton>
 
 namespace hexoderm {
 namespace {

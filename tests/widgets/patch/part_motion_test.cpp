@@ -1,5 +1,4 @@
 #include "hexoderm/base/se3.h"
-#include "hexoderm/base/units.h"
 #include "tests/support/picture_counter.h"
 #include "tests/support/random_vector.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
@@ -8,11 +7,7 @@
 #include "widgets/scene/scene_ghost.h"
 
 #include <vtkCamera.h>
-#include <vtkNew.h>
-#include <QElapsedTimer>
-#include <QToolButton>
 #include <random>
-#include <utility>
 
 namespace hexoderm {
 namespace {

@@ -3,14 +3,6 @@
 #include "widgets/patch/cut_bar.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QSlider>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 

@@ -4,10 +4,6 @@
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <QDoubleSpinBox>
-#include <QRadioButton>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 

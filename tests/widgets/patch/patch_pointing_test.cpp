@@ -9,17 +9,10 @@
 #include "widgets/style/scene_colors.h"
 #include "widgets/words/formatting.h"
 
-#include <gmock/gmock.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
-#include <QAction>
-#include <QLabel>
-#include <QMouseEvent>
-#include <QToolButton>
-#include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {

@@ -1,15 +1,13 @@
 #pragma once
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
-
-#include <gtest/gtest.h>
-#include <QTest>
 
 namespace hexoderm {
 

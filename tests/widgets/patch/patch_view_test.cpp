@@ -10,12 +10,6 @@
 
 #include <vtkRenderWindow.h>
 #include <vtkWeakPointer.h>
-#include <QAction>
-#include <QMenu>
-#include <QRegularExpression>
-#include <QSignalSpy>
-#include <QToolButton>
-#include <set>
 
 namespace hexoderm {
 namespace {

@@ -1,11 +1,8 @@
 #include "widgets/plot/plot_data.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/widgets/plot/growing_sheet.h"
 
 #include <gmock/gmock.h>
-#include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {

@@ -7,11 +7,6 @@
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
-#include <QComboBox>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QStandardItemModel>
-#include <QTest>
 
 namespace hexoderm {
 namespace {

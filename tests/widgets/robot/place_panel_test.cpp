@@ -4,17 +4,6 @@
 #include "tests/support/panel_on_screen.h"
 #include "widgets/tables/joint_table_view.h"
 
-#include <gmock/gmock.h>
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QSpinBox>
-#include <QTest>
-
 namespace hexoderm {
 namespace {
 

@@ -1,12 +1,8 @@
 #include "widgets/robot/robot_view.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 #include "widgets/patch/scene_widget.h"
-
-#include <gmock/gmock.h>
-#include <QTest>
 
 namespace hexoderm {
 namespace {

@@ -1,13 +1,11 @@
 // Pictures of the scene, compared with kept ones, and checks that the comparison sees differences.
 #include "tests/widgets/scene/patch_scene_test.h"
 
-#include "tests/support/hand_made_skins.h"
 #include "tests/support/paths.h"
 
 #include <vtkPNGReader.h>
 #include <vtkPNGWriter.h>
 #include <filesystem>
-#include <string>
 
 namespace hexoderm {
 namespace {

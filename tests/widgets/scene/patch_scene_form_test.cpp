@@ -1,7 +1,6 @@
 // What helps to see the form: IDs on the cells, backs, directions to look from, the cut, and fitting all that is drawn.
 #include "tests/widgets/scene/patch_scene_test.h"
 
-#include "hexoderm/base/units.h"
 #include "widgets/scene/label_choice.h"
 #include "widgets/scene/scene_corners.h"
 

@@ -1,11 +1,7 @@
 // Objects of the scene, and their removal.
 #include "tests/widgets/scene/patch_scene_test.h"
 
-#include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/overlays.h"
-#include "tests/support/hand_made_skins.h"
-
-#include <optional>
 
 namespace hexoderm {
 namespace {

@@ -5,7 +5,6 @@
 #include "widgets/scene/patch_scene.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -13,10 +12,7 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkWindowToImageFilter.h>
-#include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <optional>
 
 namespace hexoderm {
 

@@ -7,9 +7,6 @@
 #include <vtkActorCollection.h>
 #include <vtkDataSet.h>
 #include <vtkMapper.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace hexoderm {
 namespace {

@@ -2,11 +2,8 @@
 #include "widgets/scene/scene_content.h"
 
 #include "hexoderm/solve/metrics/patch_mesh.h"
-#include "tests/support/hand_made_skins.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 #include "widgets/scene/overlay_meshes.h"
-
-#include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {

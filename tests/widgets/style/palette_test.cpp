@@ -12,7 +12,6 @@
 #include <QRegularExpression>
 #include <QWidget>
 
-#include <cmath>
 #include <set>
 #include <utility>
 #include <vector>

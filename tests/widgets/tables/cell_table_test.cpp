@@ -1,6 +1,5 @@
 #include "widgets/tables/cell_table.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "widgets/tables/table_roles.h"
 

@@ -6,11 +6,6 @@
 #include "widgets/tables/joint_table_view.h"
 
 #include <gmock/gmock.h>
-#include <QApplication>
-#include <QClipboard>
-#include <QIcon>
-#include <QLocale>
-#include <QTest>
 
 namespace hexoderm {
 namespace {

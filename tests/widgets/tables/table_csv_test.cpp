@@ -9,13 +9,6 @@
 #include "widgets/tables/sorted_table.h"
 
 #include <gmock/gmock.h>
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QLocale>
-#include <QSignalSpy>
-#include <QTableView>
-#include <QTest>
 
 namespace hexoderm {
 namespace {

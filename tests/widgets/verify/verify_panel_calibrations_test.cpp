@@ -3,16 +3,7 @@
 #include "tests/widgets/tables/table_texts.h"
 #include "tests/widgets/verify/verify_panel_fixture.h"
 
-#include <gmock/gmock.h>
-#include <QComboBox>
-#include <QPushButton>
-#include <QTableView>
-#include <QTest>
 #include <cstddef>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm::verify_panel_test {
 namespace {

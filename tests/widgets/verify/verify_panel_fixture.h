@@ -7,14 +7,6 @@
 #include "tests/support/panel_on_screen.h"
 #include "widgets/verify/verify_panel.h"
 
-#include <gtest/gtest.h>
-#include <QLabel>
-
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <utility>
-
 namespace hexoderm::verify_panel_test {
 
 inline HoldOutResult heldOut(HoldOutAgreement agreement, double rms_deg) {

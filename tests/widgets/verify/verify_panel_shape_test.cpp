@@ -2,18 +2,6 @@
 
 #include "tests/widgets/verify/verify_panel_fixture.h"
 
-#include <gmock/gmock.h>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLineEdit>
-#include <QSpinBox>
-#include <QTableView>
-#include <QTest>
-#include <memory>
-#include <optional>
-#include <utility>
-#include <vector>
-
 namespace hexoderm::verify_panel_test {
 namespace {
 

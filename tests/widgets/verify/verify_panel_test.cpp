@@ -2,15 +2,6 @@
 
 #include "tests/widgets/verify/verify_panel_fixture.h"
 
-#include <gmock/gmock.h>
-#include <QComboBox>
-#include <QPushButton>
-#include <QTableView>
-#include <QTest>
-#include <QToolButton>
-#include <optional>
-#include <vector>
-
 namespace hexoderm::verify_panel_test {
 namespace {
 

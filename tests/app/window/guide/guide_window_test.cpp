@@ -3,14 +3,6 @@
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
 
-#include <QListWidget>
-#include <QRegularExpression>
-#include <QScrollBar>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTextBrowser>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 

@@ -3,9 +3,6 @@
 #include "widgets/patch/patch_legend_view.h"
 #include "widgets/patch/patch_view.h"
 
-#include <QRadioButton>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 

@@ -1,7 +1,5 @@
 #include "tests/app/window/presenters/presenter_test.h"
 
-#include <QTreeWidget>
-
 namespace hexoderm {
 namespace {
 

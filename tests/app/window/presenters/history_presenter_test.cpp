@@ -1,10 +1,5 @@
 #include "hexoderm/base/error.h"
 #include "tests/app/window/presenters/presenter_test.h"
-#include "tests/support/paths.h"
-
-#include <QMenu>
-#include <QProcess>
-#include <QToolButton>
 
 namespace hexoderm {
 namespace {

@@ -1,10 +1,6 @@
 #include "app/window/log/bug_report.h"
 #include "tests/app/window/presenters/presenter_test.h"
 
-#include <QClipboard>
-#include <QComboBox>
-#include <QTabBar>
-
 namespace hexoderm {
 namespace {
 

@@ -1,9 +1,6 @@
 #include "tests/app/window/presenters/presenter_test.h"
 #include "widgets/controls/card_dock.h"
-#include "widgets/controls/step_panel.h"
 #include "widgets/patch/patch_view.h"
-
-#include <QScrollBar>
 
 namespace hexoderm {
 namespace {

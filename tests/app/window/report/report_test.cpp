@@ -4,20 +4,13 @@
 #include "app/window/report/report_title.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
-#include "hexoderm/base/units.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/temporary_folder.h"
 #include "widgets/verify/verify_words.h"
 #include "widgets/words/words.h"
 
-#include <QPainter>
-#include <QRegularExpression>
-#include <QTextDocument>
-#include <QXmlStreamReader>
-#include <filesystem>
 #include <map>
-#include <set>
 
 namespace hexoderm {
 namespace {

@@ -3,19 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFrame>
-#include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
-#include <QProxyStyle>
-#include <QPushButton>
-#include <QStyle>
-#include <QTableWidget>
-#include <QTest>
-#include <QVBoxLayout>
 #include <map>
 #include <memory>
 

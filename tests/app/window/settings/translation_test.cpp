@@ -1,14 +1,5 @@
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
-
-#include <QFile>
-#include <QLocale>
-#include <QProcess>
-#include <QRegularExpression>
-#include <QSet>
-#include <QTranslator>
-#include <QXmlStreamReader>
 
 namespace hexoderm {
 namespace {

@@ -6,8 +6,6 @@
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QDBusVariant>
-#include <QProcess>
-#include <QSettings>
 
 namespace hexoderm {
 namespace {

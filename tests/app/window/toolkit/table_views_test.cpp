@@ -4,10 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QHeaderView>
-#include <QImage>
-#include <QStandardItemModel>
-#include <QTableView>
 #include <memory>
 
 namespace hexoderm {
