@@ -18,7 +18,7 @@ class KeyboardTest : public WindowTest {
   }
   static QString focusName() { return nameOf(QApplication::focusWidget()); }
   static QString nameOf(const QWidget* widget) {
-    if (!widget) return QStringLiteral("nothing");
+    if (!widget) return "nothing";
     return QStringLiteral("%1 \"%2\" %3")
         .arg(widget->metaObject()->className(), widget->objectName(), widget->accessibleName());
   }

@@ -58,7 +58,7 @@ TEST_F(MainWindowTest, KeysGoToTheButtonOrFieldThatHasTheFocus) {
 
 TEST_F(MainWindowTest, FourKeysLeadFromTheStartToAnExportedCalibrationWithinAMinute) {
   // The speed is that at which a newcomer sees it.
-  QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17"));
+  QSettings().setValue("demo/source", "sim:x17");
   press(Qt::Key_D, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionRobot")->isEnabled(); }));
   press(Qt::Key_B);

@@ -16,8 +16,8 @@ class FolderOpener : public QObject {
   Q_OBJECT
 
  public:
-  FolderOpener() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "open"); }
-  ~FolderOpener() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
+  FolderOpener() { QDesktopServices::setUrlHandler("file", this, "open"); }
+  ~FolderOpener() override { QDesktopServices::unsetUrlHandler("file"); }
   QStringList opened;
 
  public slots:
@@ -118,7 +118,7 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
 }
 
 TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
-  ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
+  ASSERT_NO_FATAL_FAILURE(openFile(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   ASSERT_EQ(controller().reconstruction()->patches.size(), 2U);
   QDialog* dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "Calibration"));

@@ -134,7 +134,7 @@ Finished runProgram(const QStringList& arguments, const QString& demo_source = {
     QSettings(home.filePath("Hexoderm/hexoderm.conf"), QSettings::IniFormat).setValue("demo/source", demo_source);
   }
   process.setProcessEnvironment(environment);
-  process.start(QStringLiteral(HEXODERM_PROGRAM), arguments);
+  process.start(HEXODERM_PROGRAM, arguments);
   if (!process.waitForFinished(test::kPatience_ms) || process.exitStatus() != QProcess::NormalExit) process.kill();
   return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
           QString::fromUtf8(process.readAllStandardError())};

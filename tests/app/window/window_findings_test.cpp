@@ -98,8 +98,8 @@ void WindowFindingsTest::expectIsNamedAndPicked(FindingCode code, const std::vec
   const Finding* worst = worstFinding(result);
   const auto labels = find<QWidget>("step4")->findChildren<QLabel*>();
   // The verdict itself stands in the banner alone.
-  const QString said = worst ? unbroken(QString::fromStdString(worst->message.english()))
-                             : QStringLiteral("Nothing was found that does not fit.");
+  const QString said =
+      worst ? unbroken(QString::fromStdString(worst->message.english())) : "Nothing was found that does not fit.";
   EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
     return label->isVisible() && label->text() == said;
   })) << listed;

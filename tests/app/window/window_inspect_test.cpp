@@ -39,7 +39,7 @@ class WindowInspectTest : public WindowTest {
         canvas->renderWindow()->GetRenderers()->GetFirstRenderer()->GetActiveCamera()->GetPosition());
   }
   const PatchMarks::Content& marks() { return patch_->findChild<PatchMarks*>()->content(); }
-  FigureCard* figureCard() { return patch_->findChild<FigureCard*>(QStringLiteral("figureCard")); }
+  FigureCard* figureCard() { return patch_->findChild<FigureCard*>("figureCard"); }
   std::optional<CellId> picked() { return window_->selection().cell(); }
   /// The cell whose row is picked in the table of cells.
   std::optional<CellId> rowPicked() {
@@ -58,7 +58,7 @@ TEST_F(WindowInspectTest, OneKeyLeadsToTheWorstCellItsMetricsAndItsNeighbours) {
   ASSERT_FALSE(worst.empty());
   // The verdict names it.
   EXPECT_TRUE(labelText("bannerSentence").contains(QString::number(worst.front().value())));
-  EXPECT_TRUE(labelText("bannerSentence").contains(QStringLiteral("worst")));
+  EXPECT_TRUE(labelText("bannerSentence").contains("worst"));
   const Eigen::Vector3d before = cameraAt();
   press(Qt::Key_W);
   EXPECT_EQ(picked(), worst.front());
@@ -89,7 +89,7 @@ TEST_F(WindowInspectTest, ADoubleClickOnARowAndTheFindFieldGoToTheCell) {
   EXPECT_GT((cameraAt() - before).norm(), 1e-4);
   const Eigen::Vector3d there = cameraAt();
   press(Qt::Key_F, Qt::ControlModifier);
-  QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("16"));
+  QTest::keyClicks(QApplication::focusWidget(), "16");
   EXPECT_EQ(picked(), CellId(16));
   EXPECT_GT((cameraAt() - there).norm(), 1e-4);
   EXPECT_EQ(rowPicked(), CellId(16));

@@ -64,7 +64,7 @@ TEST_F(WindowLayoutTest, NeitherAnotherStepNorALongNoticeOrVerdictMovesThePanels
   const QSize size = window_->size();
   auto* notice = find<MessageBar>("messageBar");
   notice->showMessage(Tone::Bad, QStringLiteral("The file with a rather long name could not be written. ").repeated(9),
-                      QStringLiteral("Try again"));
+                      "Try again");
   EXPECT_EQ(places(), quiet);
   EXPECT_TRUE(notice->isVisible());
   auto* sentence = find<QLabel>("bannerSentence");
@@ -181,7 +181,7 @@ class WindowFits : public WindowLayoutTest, public testing::WithParamInterface<s
   void TearDown() override {
     window_.reset();
     QApplication::setFont(font_);
-    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), QStringLiteral("en"));
+    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), "en");
   }
 
   QFont font_;

@@ -59,7 +59,7 @@ TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
 }
 
 TEST_F(WindowLinksTest, ACalibrationSaysWhyItsLinksStayAsTheyAre) {
-  ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
+  ASSERT_NO_FATAL_FAILURE(openFile(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
   window_->selection().selectLink(link.source, link.target);
   EXPECT_FALSE(action("actionMuteLink")->isEnabled());
@@ -70,7 +70,7 @@ TEST_F(WindowLinksTest, ACalibrationSaysWhyItsLinksStayAsTheyAre) {
 
 TEST_F(WindowLinksTest, ThePictureOfTheGraphIsWritten) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(1)));
-  for (const QString& name : {QStringLiteral("graph.svg"), QStringLiteral("graph.png")}) {
+  for (const QString& name : {"graph.svg", "graph.png"}) {
     emit graph()->pictureWanted();
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo(name)));
     ASSERT_TRUE(waitForMessage("Exported to " + pathTo(name)));

@@ -8,7 +8,7 @@ namespace hexoderm {
 namespace {
 
 /// A skin that turns within moments.
-const QString kQuickSkin = QStringLiteral("sim:x17?speed=20");
+const QString kQuickSkin = "sim:x17?speed=20";
 
 class WindowLiveTest : public WindowTest {
  protected:

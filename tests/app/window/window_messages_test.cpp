@@ -240,7 +240,7 @@ TEST_F(WindowMessagesTest, EveryButtonThatCanNotBePressedSaysWhy) {
   expectReasons("unplugged");
   action("actionDisconnect")->trigger();
   expectReasons("disconnected");
-  ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
+  ASSERT_NO_FATAL_FAILURE(openFile(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   expectReasons("with a calibration");
 }
 

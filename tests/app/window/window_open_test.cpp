@@ -46,7 +46,7 @@ TEST_F(WindowOpenTest, SessionsOfBothKindsCalibrationsAndTumFilesOpenByTheSameKe
   clickRow("poseView", 0);
   EXPECT_FALSE(action("actionTogglePose")->isEnabled());
 
-  ASSERT_NO_FATAL_FAILURE(openAndWait(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
+  ASSERT_NO_FATAL_FAILURE(openAndWait(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   EXPECT_EQ(controller().reconstruction()->patches.size(), 2U);
   EXPECT_FALSE(find<QWidget>("messageBar")->isVisible()) << message().toStdString();
 }
@@ -67,7 +67,7 @@ TEST_F(WindowOpenTest, ABrokenFileIsNamedWithItsPlaceAndNothingIsLost) {
       {"cut.hexo", half(contentOf(writeSession("whole.hexo", session))), {}},
       {"cut.calibration.json", half(QByteArray::fromStdString(calibrationToJson(*reconstruct(*session.snapshot())))),
        "line"},
-      {"cut.xml", half(contentOf(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml"))), "line"},
+      {"cut.xml", half(contentOf(HEXODERM_TEST_DATA "/two_patches.tum.xml")), "line"},
   };
   ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
   clickRow("poseView", 1);

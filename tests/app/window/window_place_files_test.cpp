@@ -21,7 +21,7 @@ TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
   const auto column = std::ranges::find(joints, "elbow", &RobotJoint::name) - joints.begin();
   table->setFocus();
   table->setCurrentIndex(table->model()->index(0, static_cast<int>(column)));
-  keys(QStringLiteral("200"));
+  keys("200");
   key(Qt::Key_Return);
   ASSERT_TRUE(waitUntil([&] { return table->currentIndex().row() == 1; })) << "the pose below is next";
   const auto elbow = [this](std::size_t pose) -> std::optional<double> {

@@ -81,8 +81,7 @@ TEST_F(WindowPlaceTest, TwoPatchesArePlacedByTheKeyboardAndOnToTheRobotsUrdfWith
   ASSERT_NO_FATAL_FAILURE(tabTo("exportFormats"));
   key(Qt::Key_Home);
   for (int k = 0; k < formats->count() && formats->currentItem()->text() != "ROBOT-URDF"; ++k) key(Qt::Key_Down);
-  EXPECT_EQ(dialog->findChild<QLineEdit*>("export-robot")->text(), QStringLiteral(HEXODERM_DEMO_ROBOT))
-      << "the robot is known";
+  EXPECT_EQ(dialog->findChild<QLineEdit*>("export-robot")->text(), HEXODERM_DEMO_ROBOT) << "the robot is known";
   ASSERT_NO_FATAL_FAILURE(tabTo("exportPath"));
   key(Qt::Key_A, Qt::ControlModifier);
   keys(pathTo("merged.urdf"));

@@ -29,10 +29,10 @@ class WindowTest : public testing::Test {
  protected:
   void SetUp() override {
     QSettings().clear();
-    QSettings().setValue(QStringLiteral("paths/last"), folder_.path());
-    QSettings().setValue(QStringLiteral("view/theme"), QStringLiteral("light"));
+    QSettings().setValue("paths/last", folder_.path());
+    QSettings().setValue("view/theme", "light");
     // A demo skin that turns within moments.
-    QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17?speed=20"));
+    QSettings().setValue("demo/source", "sim:x17?speed=20");
     openWindow();
   }
 
@@ -245,7 +245,7 @@ class WindowTest : public testing::Test {
 
   /// Types a path into Qt's own file dialog and confirms it.
   void typeIntoFileDialog(const char* object_name, const QString& path) {
-    auto* edit = waitForDialog(object_name)->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    auto* edit = waitForDialog(object_name)->findChild<QLineEdit*>("fileNameEdit");
     ASSERT_NE(edit, nullptr);
     typeInto(edit, path);
     QTest::keyClick(edit, Qt::Key_Return);

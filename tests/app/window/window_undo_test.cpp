@@ -118,7 +118,7 @@ TEST_F(WindowUndoTest, ALinkThatIsSetAsideAndOneThatIsTakenBackWithTheReasonThat
 class WindowUndoOfCapturesTest : public WindowUndoTest {
  protected:
   void connectSkin() {
-    window_->connectTo({QStringLiteral("sim:x17?speed=20"), path_, false});
+    window_->connectTo({"sim:x17?speed=20", path_, false});
     ASSERT_TRUE(waitForPoses(1));
     controller().liveSession().setAutomatic(false);
     ASSERT_TRUE(waitUntilKept());

@@ -110,7 +110,7 @@ TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
   show();
   const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
   view.setCoverage(coverageWith({up}));
-  QRect number = view.fontMetrics().tightBoundingRect(QStringLiteral("1")).adjusted(-1, -1, 1, 1);
+  QRect number = view.fontMetrics().tightBoundingRect("1").adjusted(-1, -1, 1, 1);
   number.moveCenter(view.placeOf(up).toPoint());
   const QImage before = view.grab().toImage();
   view.setCurrent(up);
@@ -121,7 +121,7 @@ TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
 
 TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
   show();
-  view.setEmptyHint(QStringLiteral("No poses yet."));
+  view.setEmptyHint("No poses yet.");
   const QImage empty = view.grab().toImage();
   const QRgb below_limit = linkStroke(EdgeQuality::Partially, Theme::Light).color.rgb();
   const QRgb undefined = linkStroke(EdgeQuality::Undefined, Theme::Light).color.rgb();
@@ -146,28 +146,27 @@ TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
 TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
   const QString words = view.accessibleDescription();
-  EXPECT_TRUE(words.contains(QStringLiteral("2 poses"))) << words.toStdString();
-  EXPECT_TRUE(words.contains(QStringLiteral("fully defined"))) << words.toStdString();
-  EXPECT_TRUE(words.contains(QStringLiteral("facing the ceiling or the floor: the third value is 0.00, needs 0.50")))
+  EXPECT_TRUE(words.contains("2 poses")) << words.toStdString();
+  EXPECT_TRUE(words.contains("fully defined")) << words.toStdString();
+  EXPECT_TRUE(words.contains("facing the ceiling or the floor: the third value is 0.00, needs 0.50"))
       << words.toStdString();
   view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
-  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("No direction is missing")));
+  EXPECT_TRUE(view.accessibleDescription().contains("No direction is missing"));
 }
 
 TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
   view.setNext(Eigen::Vector3d::UnitZ());
   EXPECT_TRUE(view.accessibleDescription().contains(
-      QStringLiteral("A third direction is missing (value 0.00, needs 0.50); the next pose is one.")))
+      "A third direction is missing (value 0.00, needs 0.50); the next pose is one."))
       << view.accessibleDescription().toStdString();
   view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise: no second instruction beside it
-  EXPECT_TRUE(view.accessibleDescription().contains(
-      QStringLiteral("A third direction is not seen yet: its value is 0.00, of 0.50.")))
+  EXPECT_TRUE(view.accessibleDescription().contains("A third direction is not seen yet: its value is 0.00, of 0.50."))
       << view.accessibleDescription().toStdString();
-  EXPECT_FALSE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  EXPECT_FALSE(view.accessibleDescription().contains("facing the ceiling or the floor"));
   view.setNext(Eigen::Vector3d::UnitZ());
   view.setNext(std::nullopt);
-  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  EXPECT_TRUE(view.accessibleDescription().contains("facing the ceiling or the floor"));
 }
 
 TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {

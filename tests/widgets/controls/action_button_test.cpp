@@ -6,7 +6,7 @@ namespace hexoderm {
 namespace {
 
 TEST(ActionButton, ATextThatIsWiderThanItsPlaceStandsInSeveralLines) {
-  QAction action(QStringLiteral("Let the simulated robot take the poses"));
+  QAction action("Let the simulated robot take the poses");
   ActionButton button;
   button.setAction(&action);
   const QSize whole = button.sizeHint();

@@ -12,7 +12,7 @@ TEST(ElidedLabel, IsAsHighAndAsNarrowAsBeforeWhateverItSays) {
   for (const int lines : {1, 2}) {
     ElidedLabel label(lines);
     label.resize(300, label.sizeHint().height());
-    label.setText(QStringLiteral("Short"));
+    label.setText("Short");
     const int height = label.heightForWidth(300);
     const QSize least = label.minimumSizeHint();
     EXPECT_FALSE(label.isElided());
@@ -25,7 +25,7 @@ TEST(ElidedLabel, IsAsHighAndAsNarrowAsBeforeWhateverItSays) {
 }
 
 TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
-  const QString text = QStringLiteral("Usable: so many millimetres at the worst cell");
+  const QString text = "Usable: so many millimetres at the worst cell";
   ElidedLabel one(1);
   ElidedLabel two(2);
   for (ElidedLabel* label : {&one, &two}) {

@@ -32,7 +32,7 @@ TEST(NoticeStack, LiesOverTheContentAndMovesNothing) {
   EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "the whole text is seen";
   EXPECT_GT(notices->geometry().top(), host.height() / 3);
 
-  other->showMessage(Tone::Good, QStringLiteral("Saved."));
+  other->showMessage(Tone::Good, "Saved.");
   test::letTurnsPass();
   EXPECT_LT(other->geometry().bottom(), message->geometry().top()) << "one above the other";
   EXPECT_TRUE(host.rect().contains(notices->geometry()));

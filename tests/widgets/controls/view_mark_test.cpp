@@ -29,7 +29,7 @@ TEST_F(ViewMarkTest, IsNotThereUntilSomethingIsMarked) {
 }
 
 TEST_F(ViewMarkTest, AFrameIsSeenOnAllSidesAndTheMiddleIsFree) {
-  mark_->setContent(ViewMark::Content{Tone::Bad, QStringLiteral("No readings"), true, false});
+  mark_->setContent(ViewMark::Content{Tone::Bad, "No readings", true, false});
   ASSERT_TRUE(mark_->isVisible());
   const QColor bad = toneColor(Tone::Bad, Theme::Light);
   for (const QPoint& edge : {QPoint(1, 150), QPoint(398, 150), QPoint(200, 1), QPoint(200, 298)}) {
@@ -43,7 +43,7 @@ TEST_F(ViewMarkTest, AFrameIsSeenOnAllSidesAndTheMiddleIsFree) {
 }
 
 TEST_F(ViewMarkTest, AnOldPictureIsMutedAndGetsItsColoursBack) {
-  mark_->setContent(ViewMark::Content{Tone::Caution, QStringLiteral("from before: 3 poses"), false, true});
+  mark_->setContent(ViewMark::Content{Tone::Caution, "from before: 3 poses", false, true});
   const QColor muted = at(200, 200);
   EXPECT_NE(muted, QColor(Qt::black));
   EXPECT_LT(muted.lightness(), 160) << "it is still seen";

@@ -72,7 +72,7 @@ double differenceToBaseline(const QImage& image, const QString& name) {
   const QString path = QStringLiteral(HEXODERM_BASELINES "/%1.png").arg(name);
   if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) image.save(path);
   const double share = differingShare(image, QImage(path).convertToFormat(QImage::Format_RGB32));
-  if (share > kMaxDifferingShare) image.save(name + QStringLiteral("-actual.png"));
+  if (share > kMaxDifferingShare) image.save(name + "-actual.png");
   return share;
 }
 

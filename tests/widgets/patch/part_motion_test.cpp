@@ -69,7 +69,7 @@ class PartMotionTest : public PatchViewFixture {
     moment.next_up_o = up_o;
     view.setMoment(moment);
   }
-  QToolButton* turnButton() { return view.findChild<QToolButton*>(QStringLiteral("turnThePart")); }
+  QToolButton* turnButton() { return view.findChild<QToolButton*>("turnThePart"); }
 
   std::vector<Eigen::Vector3d> asked;
   QMetaObject::Connection kept =

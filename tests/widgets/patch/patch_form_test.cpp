@@ -18,7 +18,7 @@ class PatchFormTest : public PatchViewFixture {
     if (QMenu* menu = openMenu()) menu->close();
   }
 
-  QMenu* openMenu() { return view.findChild<QMenu*>(QStringLiteral("patchMenu")); }
+  QMenu* openMenu() { return view.findChild<QMenu*>("patchMenu"); }
   void clickRight(const QPoint& at, const QPoint& to) {
     test::dragMouse(canvas, at, to, {}, Qt::RightButton, to == at ? 0 : 1);
   }
@@ -36,7 +36,7 @@ TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderItAndThePicture) {
   ASSERT_NE(menu, nullptr);
   QAction* pick = entry(*menu, "actionPickCell");
   ASSERT_NE(pick, nullptr);
-  EXPECT_TRUE(pick->text().contains(QStringLiteral("1"))) << pick->text().toStdString();
+  EXPECT_TRUE(pick->text().contains("1")) << pick->text().toStdString();
   pick->trigger();
   EXPECT_EQ(selection.cell(), CellId(1));
   ASSERT_NE(entry(*menu, "actionCenterCell"), nullptr);

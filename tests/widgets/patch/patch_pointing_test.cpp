@@ -47,8 +47,8 @@ class PatchPointingTest : public PatchViewFixture {
     QEvent event(QEvent::Leave);
     QCoreApplication::sendEvent(canvas, &event);
   }
-  FigureCard* hoverCard() { return view.findChild<FigureCard*>(QStringLiteral("hoverCard")); }
-  FigureCard* figureCard() { return view.findChild<FigureCard*>(QStringLiteral("figureCard")); }
+  FigureCard* hoverCard() { return view.findChild<FigureCard*>("hoverCard"); }
+  FigureCard* figureCard() { return view.findChild<FigureCard*>("figureCard"); }
   const PatchMarks::Content& marks() { return view.findChild<PatchMarks*>()->content(); }
   /// Moves the mouse there, until it is found there: the display's own mouse may leave the view meanwhile.
   template <class Condition>
@@ -90,7 +90,7 @@ TEST_F(PatchPointingTest, BesideAPortItIsTheLink) {
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2))));
   const LinkEstimate& link = skin->patches[0].links[0];
   ASSERT_EQ(link.target.cell, CellId(2));
-  ASSERT_TRUE(hover(between, QStringLiteral("<b>Link 1")));
+  ASSERT_TRUE(hover(between, "<b>Link 1"));
   EXPECT_EQ(hoverCard()->text(), linkToolTip(*skin, link));
   QTest::mouseClick(canvas, Qt::LeftButton, {}, between);
   EXPECT_EQ(selection.link(), Selection::Link(link.source, link.target));
@@ -113,7 +113,7 @@ TEST_F(PatchPointingTest, PointingDrawsNothingOfTheSceneAnew) {
 }
 
 TEST_F(PatchPointingTest, WhileTheSceneIsTurnedNothingIsPointedAt) {
-  ASSERT_TRUE(hover(positionOf(CellId(1)), QStringLiteral("<b>Cell 1</b>")));
+  ASSERT_TRUE(hover(positionOf(CellId(1)), "<b>Cell 1</b>"));
   QTest::mousePress(canvas, Qt::LeftButton, {}, positionOf(CellId(1)));
   EXPECT_FALSE(hoverCard()->isVisible());
   test::moveMouse(canvas, positionOf(CellId(1)) + QPoint(30, 8), Qt::LeftButton);
@@ -212,7 +212,7 @@ TEST_F(PatchPointingTest, APickedCellThatIsHiddenIsSeenThroughTheOthersWithItsNu
 TEST_F(PatchPointingTest, OfALargeSkinTheNumberOfThePickedCellIsThere) {
   show(shared(cylinderSheet(60, 50)));
   selection.selectCell(CellId(1500));
-  EXPECT_EQ(marks().picked.tag, QStringLiteral("1500"));
+  EXPECT_EQ(marks().picked.tag, "1500");
   selection.seekCell(CellId(2999));
   view.drawNow();
   EXPECT_TRUE(marks().picked.tag.isEmpty()) << "it stands on the cell, which is near now";
@@ -334,12 +334,12 @@ TEST_F(PatchPointingTest, TheMetricsOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
   EXPECT_TRUE(figureCard()->text().startsWith(cellToolTip(*skin, CellId(6))));
   EXPECT_TRUE(view.rect().contains(figureCard()->geometry()));
   EXPECT_FALSE(figureCard()->geometry().intersects(marks().picked.line.boundingRect().toAlignedRect()));
-  figureCard()->findChild<QToolButton*>(QStringLiteral("neighbor10"))->click();
+  figureCard()->findChild<QToolButton*>("neighbor10")->click();
   EXPECT_EQ(selection.cell(), CellId(10));
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("<b>Cell 10</b>")));
+  EXPECT_TRUE(figureCard()->text().contains("<b>Cell 10</b>"));
   selection.selectLink({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)});
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("<b>Link 1")));
-  EXPECT_NE(figureCard()->findChild<QToolButton*>(QStringLiteral("neighbor2")), nullptr);
+  EXPECT_TRUE(figureCard()->text().contains("<b>Link 1"));
+  EXPECT_NE(figureCard()->findChild<QToolButton*>("neighbor2"), nullptr);
   selection.clear();
   EXPECT_FALSE(figureCard()->isVisible());
   selection.selectCell(CellId(3));
@@ -353,14 +353,14 @@ TEST_F(PatchPointingTest, TheColourOfTheCellIsOnItsCardAsAFigure) {
   controls().action(Coloring::Residual)->setChecked(true);
   selection.selectCell(CellId(2));
   view.setMetricsShown(true);
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.40°"))) << figureCard()->text().toStdString();
+  EXPECT_TRUE(figureCard()->text().contains("0.40°")) << figureCard()->text().toStdString();
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, 0.93}}});
   view.setMoment(moment);
   controls().action(Coloring::ReadingZ)->setChecked(true);
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.93"))) << figureCard()->text().toStdString();
+  EXPECT_TRUE(figureCard()->text().contains("0.93")) << figureCard()->text().toStdString();
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, -0.51}}});
   view.setMoment(moment);
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("−0.51"))) << figureCard()->text().toStdString();
+  EXPECT_TRUE(figureCard()->text().contains("−0.51")) << figureCard()->text().toStdString();
 }
 
 TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
@@ -370,7 +370,7 @@ TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
   moment.told_cell = CellId(7);
   view.setMoment(moment);
   const QImage told = view.screenshot();
-  EXPECT_EQ(marks().told.tag, QStringLiteral("cell 7"));
+  EXPECT_EQ(marks().told.tag, "cell 7");
   ASSERT_TRUE(marks().told.line.containsPoint(at, Qt::OddEvenFill));
   const QColor accent = Colors::of(Theme::Light).accent;
   const auto distanceToAccent = [&](const QImage& picture) {
@@ -395,7 +395,7 @@ TEST_F(PatchPointingTest, WhereSomethingWasFoundIsPointedOutAlsoWhereItIsHidden)
     view.showStandardView(side);
     view.drawNow();
     ASSERT_EQ(marks().found.size(), 1u);
-    EXPECT_EQ(marks().found.front().tag, QStringLiteral("7"));
+    EXPECT_EQ(marks().found.front().tag, "7");
     EXPECT_EQ(marks().found.front().sign, Severity::Error);
     EXPECT_TRUE(marks().found.front().line.containsPoint(positionOf(CellId(7)), Qt::OddEvenFill));
   }

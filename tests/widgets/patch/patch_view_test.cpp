@@ -158,7 +158,7 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
   view.setMoment(moment);
   overlays.surface = shared(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
   view.setOverlays(overlays);
-  auto* modes = view.findChild<QMenu*>(QStringLiteral("coloringMenu"));
+  auto* modes = view.findChild<QMenu*>("coloringMenu");
   ASSERT_NE(modes, nullptr);
   std::vector<QImage> pictures;
   std::set<QString> legends;
@@ -206,7 +206,7 @@ TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
   view.setMoment(moment);
   controls().action(Coloring::ReadingZ)->setChecked(true);
   const QImage up = view.screenshot();
-  EXPECT_TRUE(words().contains(QStringLiteral("z, g"))) << words().toStdString();
+  EXPECT_TRUE(words().contains("z, g")) << words().toStdString();
   moment.readings = readingsOf({{CellId(1), {0, 0, -1}}});
   view.setMoment(moment);
   EXPECT_NE(view.screenshot(), up);
@@ -222,36 +222,35 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
   for (const CellPlacement& cell : skin->patches[0].cells) truth.cells.push_back({cell.cell, cell.T_o_u});
   overlays.truth = std::make_shared<const GroundTruth>(truth);
   view.setOverlays(overlays);
-  EXPECT_FALSE(words().contains(QStringLiteral("truth"))) << "only where it was asked for";
+  EXPECT_FALSE(words().contains("truth")) << "only where it was asked for";
   controls().action(SceneItem::Truth)->trigger();
-  EXPECT_TRUE(words().contains(QStringLiteral("truth")));
+  EXPECT_TRUE(words().contains("truth"));
   overlays.loop = shared(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
   view.setOverlays(overlays);
-  EXPECT_TRUE(words().contains(QStringLiteral("loop gap: "))) << words().toStdString();
+  EXPECT_TRUE(words().contains("loop gap: ")) << words().toStdString();
   Reconstruction before = *skin;
   before.patches[0].cells[3].T_o_u.t.z() += 0.001;
   overlays.comparison = shared(compareToReconstruction(*skin, before));
   view.setOverlays(overlays);
-  EXPECT_TRUE(words().contains(QStringLiteral("arrows: from before to now, drawn 10 times as large")))
-      << words().toStdString();
+  EXPECT_TRUE(words().contains("arrows: from before to now, drawn 10 times as large")) << words().toStdString();
   controls().action(SceneItem::Comparison)->trigger();
-  EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
+  EXPECT_FALSE(words().contains("arrows"));
 }
 
 TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
   view.setReconstruction(demo());
-  EXPECT_FALSE(words().contains(QStringLiteral("not placed")));
+  EXPECT_FALSE(words().contains("not placed"));
   DemoOptions lonely;
   lonely.first_id = 101;
   lonely.arm_cells = 0;
   view.setReconstruction(shared(demoPatches({DemoOptions(), lonely})));
-  EXPECT_TRUE(words().contains(QStringLiteral("dashed frame: patch of cell 101, not placed against the others")))
+  EXPECT_TRUE(words().contains("dashed frame: patch of cell 101, not placed against the others"))
       << words().toStdString();
   controls().measureAction()->trigger();
   selection.selectCell(CellId(1));
   selection.selectCell(CellId(101));
-  EXPECT_TRUE(words().contains(QStringLiteral("Cells 1 and 101 are in different patches"))) << words().toStdString();
-  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  EXPECT_TRUE(words().contains("Cells 1 and 101 are in different patches")) << words().toStdString();
+  EXPECT_FALSE(words().contains("mm apart"));
   controls().measureAction()->trigger();
   std::vector<DemoOptions> many = {DemoOptions()};
   for (std::uint32_t k = 0; k < 9; ++k) {
@@ -259,7 +258,7 @@ TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
     many.back().first_id += k;
   }
   view.setReconstruction(shared(demoPatches(many)));
-  EXPECT_TRUE(words().contains(QStringLiteral("9 patches beside the largest"))) << words().toStdString();
+  EXPECT_TRUE(words().contains("9 patches beside the largest")) << words().toStdString();
 }
 
 TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
@@ -269,28 +268,27 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   QToolButton* tool = button(controls().measureAction()->iconText());
   ASSERT_NE(tool, nullptr);
   QTest::mouseClick(tool, Qt::LeftButton);
-  EXPECT_TRUE(words().contains(QStringLiteral("first cell")));
+  EXPECT_TRUE(words().contains("first cell"));
   click(canvas->rect().center());
   EXPECT_EQ(selection.cell(), CellId(1));
-  EXPECT_TRUE(words().contains(QStringLiteral("second cell")));
+  EXPECT_TRUE(words().contains("second cell"));
   const QImage one = view.screenshot();
   selection.selectCell(CellId(6));  // picked in another view: the same
-  EXPECT_TRUE(words().contains(QRegularExpression(QStringLiteral("[0-9.]+ mm apart.*[0-9.]+°"))))
-      << words().toStdString();
+  EXPECT_TRUE(words().contains(QRegularExpression("[0-9.]+ mm apart.*[0-9.]+°"))) << words().toStdString();
   EXPECT_NE(view.screenshot(), one);
   ASSERT_NO_FATAL_FAILURE(activate());
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(controls().measureAction()->isChecked());
-  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  EXPECT_FALSE(words().contains("mm apart"));
   EXPECT_TRUE(view.isVisible()) << "Esc never closes";
   selection.selectCell(CellId(3));
-  EXPECT_FALSE(words().contains(QStringLiteral("second cell"))) << "it is off";
+  EXPECT_FALSE(words().contains("second cell")) << "it is off";
 }
 
 TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.setReconstruction(shared(cylinderSheet(100, 80)));
   EXPECT_FALSE(view.isUpToDate());
-  EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains(QStringLiteral("Preparing")));
+  EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains("Preparing"));
   view.setReconstruction(shared(cylinderSheet(60, 50)));
   ASSERT_TRUE(test::waitUntil([this] { return view.isUpToDate(); }));
   EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().isEmpty());
@@ -341,8 +339,8 @@ TEST_F(PatchViewTest, TheMenuOffersToSaveAPictureAndSaysWhatDraws) {
   ASSERT_FALSE(renderer.isEmpty());
   QSignalSpy requested(&view, &PatchView::pictureRequested);
   bool said = false;
-  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
-    if (action->objectName() == QStringLiteral("actionScenePicture")) action->trigger();
+  for (QAction* action : view.findChild<QMenu*>("showMenu")->actions()) {
+    if (action->objectName() == "actionScenePicture") action->trigger();
     said = said || action->text().contains(renderer);
   }
   EXPECT_EQ(requested.count(), 1);

@@ -31,16 +31,16 @@ class RobotViewTest : public testing::Test {
     view.lookAtSkin(0);
     view.drawNow();
     QObject::connect(&view, &RobotView::gripped, [this](const Eigen::Vector3d& x_l) {
-      said << QStringLiteral("gripped");
+      said << "gripped";
       gripped_at = x_l;
     });
     QObject::connect(&view, &RobotView::pulledTo, [this](const Eigen::Vector3d& x_l) {
-      said << QStringLiteral("pulled");
+      said << "pulled";
       pulled_to = x_l;
     });
-    QObject::connect(&view, &RobotView::released, [this] { said << QStringLiteral("released"); });
-    QObject::connect(&view, &RobotView::laid, [this] { said << QStringLiteral("laid"); });
-    QObject::connect(&view, &RobotView::leftAlone, [this] { said << QStringLiteral("left"); });
+    QObject::connect(&view, &RobotView::released, [this] { said << "released"; });
+    QObject::connect(&view, &RobotView::laid, [this] { said << "laid"; });
+    QObject::connect(&view, &RobotView::leftAlone, [this] { said << "left"; });
     QObject::connect(&view, &RobotView::slid, [this](const Eigen::Vector3d& way_l) { way = way_l; });
     QObject::connect(&view, &RobotView::turned, [this](double angle_rad) { turn = angle_rad; });
   }
@@ -53,7 +53,7 @@ class RobotViewTest : public testing::Test {
     for (const QPoint& aside : {QPoint(0, 0), QPoint(25, 0), QPoint(-25, 0), QPoint(0, 25), QPoint(0, -25)}) {
       press(middle + aside);
       release(middle + aside);
-      const bool hit = said.contains(QStringLiteral("gripped"));
+      const bool hit = said.contains("gripped");
       said.clear();
       if (hit) return middle + aside;
     }

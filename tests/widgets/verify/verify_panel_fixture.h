@@ -92,7 +92,7 @@ class VerifyPanelTest : public test::PanelOnScreen<VerifyPanel> {
     return reconstruction;
   }
   std::string sentence(const char* section) {
-    auto* label = panel_->findChild<QLabel*>(QLatin1String(section) + QStringLiteral("Sentence"));
+    auto* label = panel_->findChild<QLabel*>(QLatin1String(section) + "Sentence");
     return label->isVisible() ? label->text().toStdString() : "";
   }
 };

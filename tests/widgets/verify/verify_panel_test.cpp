@@ -10,7 +10,7 @@ TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   EXPECT_FALSE(run->isEnabled());
   EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
   EXPECT_EQ(run->toolTip().toStdString(), "There is no skin yet.");
-  panel_->setAwaited(QStringLiteral("Opening arm.hexo…"));
+  panel_->setAwaited("Opening arm.hexo…");
   EXPECT_EQ(sentence("holdOut"), "Opening arm.hexo…");
   panel_->setAwaited({});
   EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");

@@ -29,9 +29,9 @@ TEST_F(SpeechPresenterTest, ThePreferencesSayWhyItIsNotAvailable) {
   auto* speech = dialog->findChild<QCheckBox*>("preferenceSpeech");
   auto* why = dialog->findChild<QLabel*>("preferenceWhyNoSpeech");
   EXPECT_FALSE(speech->isChecked());
-  emit voice()->lookedFor(QStringLiteral("There is no engine."));
+  emit voice()->lookedFor("There is no engine.");
   EXPECT_FALSE(speech->isEnabled());
-  EXPECT_EQ(why->text(), QStringLiteral("Not available: There is no engine."));
+  EXPECT_EQ(why->text(), "Not available: There is no engine.");
   emit voice()->lookedFor({});
   EXPECT_TRUE(speech->isEnabled());
   EXPECT_TRUE(why->isHidden());

@@ -34,7 +34,7 @@ std::vector<CatalogEntry> messagesOf(const QString& language) {
 }
 
 QStringList placeholdersOf(const QString& text) {
-  static const QRegularExpression placeholder(QStringLiteral("%[1-9]"));
+  static const QRegularExpression placeholder("%[1-9]");
   QStringList found;
   for (auto it = placeholder.globalMatch(text); it.hasNext();) found << it.next().captured();
   found.removeDuplicates();
@@ -43,7 +43,7 @@ QStringList placeholdersOf(const QString& text) {
 }
 
 TEST(Translation, TheShippedGermanIsComplete) {
-  const std::vector<CatalogEntry> messages = messagesOf(QStringLiteral("de"));
+  const std::vector<CatalogEntry> messages = messagesOf("de");
   EXPECT_GT(messages.size(), 300U);
   for (const CatalogEntry& message : messages) {
     const std::string text = message.context.toStdString() + ": " + message.source.toStdString();
@@ -60,15 +60,13 @@ TEST(Translation, TheShippedGermanIsComplete) {
 class MissingTexts : public QTranslator {
  public:
   MissingTexts() {
-    for (const CatalogEntry& message : messagesOf(QStringLiteral("de")))
-      known_.insert(keyOf(message.context, message.source));
+    for (const CatalogEntry& message : messagesOf("de")) known_.insert(keyOf(message.context, message.source));
   }
   bool isEmpty() const override { return false; }
   QString translate(const char* context, const char* text, const char* /*comment*/, int /*count*/) const override {
     const QString key = keyOf(QString::fromUtf8(context), QString::fromUtf8(text));
     const bool is_ours = key.startsWith(QLatin1String("hexoderm::"));
-    if (is_ours && !known_.contains(key) &&
-        !known_.contains(keyOf(QStringLiteral("hexoderm"), QString::fromUtf8(text)))) {
+    if (is_ours && !known_.contains(key) && !known_.contains(keyOf("hexoderm", QString::fromUtf8(text)))) {
       missing_.insert(key);
     }
     return {};
@@ -76,7 +74,7 @@ class MissingTexts : public QTranslator {
   [[nodiscard]] QStringList missing() const { return missing_.values(); }
 
  private:
-  static QString keyOf(const QString& context, const QString& text) { return context + QStringLiteral(": ") + text; }
+  static QString keyOf(const QString& context, const QString& text) { return context + ": " + text; }
   QSet<QString> known_;
   mutable QSet<QString> missing_;
 };
@@ -84,14 +82,14 @@ class MissingTexts : public QTranslator {
 class GermanWindow : public WindowTest {
  protected:
   void SetUp() override {
-    installTranslations(application(), QStringLiteral("de"));
+    installTranslations(application(), "de");
     QCoreApplication::installTranslator(&missing_);
     WindowTest::SetUp();
   }
   void TearDown() override {
     QCoreApplication::removeTranslator(&missing_);
     window_.reset();
-    installTranslations(application(), QStringLiteral("en"));
+    installTranslations(application(), "en");
   }
   MissingTexts missing_;
 };
@@ -101,34 +99,34 @@ TEST_F(GermanWindow, ShowsNoTextThatHasNoGerman) {
   action("actionKeys")->trigger();
   waitForDialog("keysDialog");
   for (const QString& text : missing_.missing()) ADD_FAILURE() << text.toStdString();
-  EXPECT_EQ(action("actionDemo")->iconText(), QStringLiteral("Demo-Haut starten"));
+  EXPECT_EQ(action("actionDemo")->iconText(), "Demo-Haut starten");
 }
 
 TEST(Translation, TheSystemsLanguageIsTakenWhereItIsShipped) {
   const auto help_in = [](const char* locale, const QStringList& arguments) {
     QProcess program;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert(QStringLiteral("LC_ALL"), QString::fromLatin1(locale));
-    environment.remove(QStringLiteral("LANGUAGE"));
+    environment.insert("LC_ALL", QString::fromLatin1(locale));
+    environment.remove("LANGUAGE");
     program.setProcessEnvironment(environment);
-    program.start(QStringLiteral(HEXODERM_PROGRAM), arguments + QStringList{QStringLiteral("--help")});
+    program.start(HEXODERM_PROGRAM, arguments + QStringList{"--help"});
     EXPECT_TRUE(program.waitForFinished(test::kPatience_ms));
     return QString::fromUtf8(program.readAllStandardOutput());
   };
-  const QString english = QStringLiteral("A session or calibration to open.");
-  const QString german = QStringLiteral("Eine Sitzung oder Kalibrierung zum Öffnen.");
+  const QString english = "A session or calibration to open.";
+  const QString german = "Eine Sitzung oder Kalibrierung zum Öffnen.";
   EXPECT_TRUE(help_in("C.UTF-8", {}).contains(english));
   EXPECT_TRUE(help_in("de_DE.UTF-8", {}).contains(german));
   EXPECT_TRUE(help_in("fi_FI.UTF-8", {}).contains(english));
-  EXPECT_TRUE(help_in("de_DE.UTF-8", {QStringLiteral("--language=en")}).contains(english));
-  EXPECT_TRUE(help_in("C.UTF-8", {QStringLiteral("--language"), QStringLiteral("de")}).contains(german));
+  EXPECT_TRUE(help_in("de_DE.UTF-8", {"--language=en"}).contains(english));
+  EXPECT_TRUE(help_in("C.UTF-8", {"--language", "de"}).contains(german));
 }
 
 TEST(Translation, ALanguageBringsItsNumbers) {
-  installTranslations(application(), QStringLiteral("de"));
-  EXPECT_EQ(QLocale().toString(1.5), QStringLiteral("1,5"));
-  installTranslations(application(), QStringLiteral("en"));
-  EXPECT_EQ(QLocale().toString(1.5), QStringLiteral("1.5"));
+  installTranslations(application(), "de");
+  EXPECT_EQ(QLocale().toString(1.5), "1,5");
+  installTranslations(application(), "en");
+  EXPECT_EQ(QLocale().toString(1.5), "1.5");
 }
 
 }  // namespace

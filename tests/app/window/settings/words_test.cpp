@@ -56,13 +56,11 @@ TEST_F(Words, SayEveryKindOfArgumentInBothLanguages) {
   }
 }
 
-TEST_F(Words, StayEnglishWithoutATranslation) {
-  EXPECT_EQ(words(Message("Cell {} sings.", {3})), QStringLiteral("Cell 3 sings."));
-}
+TEST_F(Words, StayEnglishWithoutATranslation) { EXPECT_EQ(words(Message("Cell {} sings.", {3})), "Cell 3 sings."); }
 
 TEST_F(Words, OfAnErrorAreItsMessageAndOfOthersTheirText) {
-  EXPECT_EQ(words(FormatError(located("a.json", message("is missing")))), QStringLiteral("a.json: fehlt"));
-  EXPECT_EQ(words(std::runtime_error("is missing")), QStringLiteral("is missing"));
+  EXPECT_EQ(words(FormatError(located("a.json", message("is missing")))), "a.json: fehlt");
+  EXPECT_EQ(words(std::runtime_error("is missing")), "is missing");
 }
 
 TEST_F(Words, OfACalibrationThatWasReadBackAreGerman) {
