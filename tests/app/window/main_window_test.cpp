@@ -21,7 +21,7 @@ TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
   EXPECT_FALSE(button->isEnabled());
   QTest::keyClicks(edit, pathTo("no/such/folder/a.stl"));
   EXPECT_FALSE(button->isEnabled());
-  EXPECT_TRUE(note->text().contains("There is no folder")) << note->text().toStdString();
+  EXPECT_THAT(note->text(), HasText("There is no folder"));
 
   auto* formats = dialog->findChild<QListWidget*>("exportFormats");
   formats->setFocus();
@@ -79,7 +79,7 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThe
   const auto isAsked = [this] { return action("actionTurn")->isEnabled() && action("actionSkipPose")->isEnabled(); };
   for (const char* name : {"actionTurn", "actionSkipPose"}) {
     EXPECT_FALSE(action(name)->isEnabled()) << name;
-    EXPECT_TRUE(action(name)->toolTip().contains("Any way up")) << action(name)->toolTip().toStdString();
+    EXPECT_THAT(action(name)->toolTip(), HasText("Any way up"));
   }
   EXPECT_TRUE(action("actionRobot")->isEnabled());
   controller().liveSession().captureNow();
@@ -98,8 +98,7 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThe
   EXPECT_FALSE(controller().reconstruction()->assessment.wantsPose())
       << posesShown() << " poses: " << controller().reconstruction()->assessment.reason;
   EXPECT_FALSE(action("actionSkipPose")->isEnabled());
-  EXPECT_TRUE(action("actionSkipPose")->toolTip().contains("enough poses"))
-      << action("actionSkipPose")->toolTip().toStdString();
+  EXPECT_THAT(action("actionSkipPose")->toolTip(), HasText("enough poses"));
   EXPECT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
       << "for a result that is better than good";
 }
@@ -123,7 +122,7 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndEverythingIsUndone) {
   ASSERT_TRUE(waitForMessage("Pose 1 captured"));
   EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); }))
       << "there is nothing to call off any more: " << message().toStdString();
-  EXPECT_FALSE(message().contains("repeats pose 1")) << message().toStdString();
+  EXPECT_THAT(message(), testing::Not(HasText("repeats pose 1")));
   for (int k = 0; k < 3; ++k) press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(0));
   EXPECT_FALSE(action("actionUndo")->isEnabled());
@@ -145,7 +144,7 @@ TEST_F(MainWindowTest, LiveModeShowsTheMomentUnmistakablyAndGoesBackToTheResult)
   EXPECT_EQ(moment->poses.size(), 1U);
   EXPECT_EQ(moment->solver, "tree");
   EXPECT_TRUE(mark->content()->has_frame);
-  EXPECT_TRUE(mark->content()->words.contains("Live")) << mark->content()->words.toStdString();
+  EXPECT_THAT(mark->content()->words, HasText("Live"));
   EXPECT_TRUE(mark->isVisible());
   EXPECT_TRUE(find<ViewMark>("sideMark")->isVisible());
 
@@ -168,7 +167,7 @@ TEST_F(MainWindowTest, LiveModeSaysOnceThatTheMomentCanNotBeSolved) {
   QSignalSpy moments(&controller().liveSession().source(), &LiveSource::previewChanged);
   controller().liveMode().setOn(true);
   ASSERT_TRUE(waitUntil([&] { return !noticed.isEmpty(); }));
-  EXPECT_TRUE(noticed[0][0].toString().contains("can't be solved")) << noticed[0][0].toString().toStdString();
+  EXPECT_THAT(noticed[0][0].toString(), HasText("can't be solved"));
   const int before = moments.size();
   ASSERT_TRUE(waitUntil([&] { return moments.size() > before + 10; }));
   EXPECT_EQ(noticed.size(), 1);

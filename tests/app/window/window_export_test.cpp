@@ -129,15 +129,15 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("tables"));
   EXPECT_TRUE(patchOf()->isVisible());
   EXPECT_EQ(patchOf()->currentText(), "All, each in its own frame");
-  EXPECT_FALSE(noteOf().contains("Not in the file")) << noteOf().toStdString();
+  EXPECT_THAT(noteOf(), testing::Not(HasText("Not in the file")));
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
   EXPECT_EQ(patchOf()->count(), 2) << "one frame, one patch";
   EXPECT_EQ(patchOf()->currentText(), "Patch of cell 2, 2 cells");
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("large.ply"));
-  EXPECT_TRUE(noteOf().contains("Not in the file: the patch of cell 7 (1 cell)")) << noteOf().toStdString();
+  EXPECT_THAT(noteOf(), HasText("Not in the file: the patch of cell 7 (1 cell)"));
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Not in the file: the patch of cell 7 (1 cell)"));
-  EXPECT_TRUE(message().contains("Exported to " + pathTo("large.ply"))) << message().toStdString();
+  EXPECT_THAT(message(), HasText("Exported to " + pathTo("large.ply")));
   EXPECT_TRUE(contentOf(pathTo("large.ply")).contains("in the frame of cell 2,"));
   click(find<QWidget>("messageClose"));
 
@@ -148,7 +148,7 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("lonely.ply"));
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Exported to " + pathTo("lonely.ply")));
-  EXPECT_TRUE(message().contains("the patch of cell 2 (2 cells)")) << message().toStdString();
+  EXPECT_THAT(message(), HasText("the patch of cell 2 (2 cells)"));
   EXPECT_TRUE(contentOf(pathTo("lonely.ply")).contains("in the frame of cell 7,"));
 }
 
@@ -187,7 +187,7 @@ TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
     const test::NoFileGrows full;
     ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
     ASSERT_TRUE(waitForMessage("arm.ply"));
-    EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+    EXPECT_THAT(message(), testing::Not(HasText("Exported")));
   }
   EXPECT_EQ(contentOf(path), "what was there");
   EXPECT_EQ(QDir(folder_.path()).entryList({"*.ply*", ".*ply*"}, QDir::Files | QDir::Hidden), QStringList("arm.ply"))
@@ -224,7 +224,7 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
   for (const auto& [path, write] : ways) {
     write(path);
     ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString();
-    EXPECT_TRUE(message().contains(path)) << message().toStdString();
+    EXPECT_THAT(message(), HasText(path));
     click(find<QWidget>("messageClose"));
   }
   PackageRequest package;
@@ -274,7 +274,7 @@ TEST_F(WindowExportTest, ASkinWithoutCellsIsShownAndSaysWhatCanNotBeMadeOfIt) {
   EXPECT_FALSE(window_->picture().isNull());
   ASSERT_NO_FATAL_FAILURE(exportAs("STL", pathTo("empty.stl")));
   ASSERT_TRUE(waitForMessage("cell"));
-  EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+  EXPECT_THAT(message(), testing::Not(HasText("Exported")));
   EXPECT_FALSE(QFile::exists(pathTo("empty.stl")));
 }
 

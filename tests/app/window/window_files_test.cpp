@@ -160,7 +160,7 @@ TEST(WindowProgram, RefusesWhatItDoesNotUnderstand) {
   const QTemporaryDir folder;
   const Finished missing = runProgram({folder.filePath("none.session.json"), "--screenshot", folder.filePath("a.png")});
   EXPECT_EQ(missing.code, 3);
-  EXPECT_TRUE(missing.errors.contains("none.session.json")) << missing.errors.toStdString();
+  EXPECT_THAT(missing.errors, HasText("none.session.json"));
 }
 
 TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
@@ -171,13 +171,13 @@ TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
   writeSessionJson(session, file.toStdString());
   const Finished same = runProgram({file, "--screenshot", folder.filePath("./arm.session.json")});
   EXPECT_EQ(same.code, 2);
-  EXPECT_TRUE(same.errors.contains("is one of the inputs")) << same.errors.toStdString();
+  EXPECT_THAT(same.errors, HasText("is one of the inputs"));
   EXPECT_NO_THROW(readSessionJson(file.toStdString()));
   const QString other = folder.filePath("other.png");
   writeSessionStore(session, other.toStdString());
   const Finished kept = runProgram({file, "--screenshot", other});
   EXPECT_EQ(kept.code, 5);
-  EXPECT_TRUE(kept.errors.contains("as a Hexoderm session")) << kept.errors.toStdString();
+  EXPECT_THAT(kept.errors, HasText("as a Hexoderm session"));
   EXPECT_TRUE(isSessionStore(other.toStdString()));
 }
 

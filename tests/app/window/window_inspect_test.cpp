@@ -160,7 +160,7 @@ TEST_F(WindowInspectTest, TheCellThatTheInstructionSpeaksOfIsLitWhileItStands) {
   press(Qt::Key_3, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return marks().told.isThere(); }));
   const QString cell = marks().told.tag;
-  EXPECT_TRUE(labelText("captureWhat").contains(cell)) << labelText("captureWhat").toStdString();
+  EXPECT_THAT(labelText("captureWhat"), HasText(cell));
   press(Qt::Key_2, Qt::ControlModifier);
   EXPECT_TRUE(waitUntil([this] { return !marks().told.isThere(); })) << "the instruction is not there any more";
 }

@@ -233,8 +233,8 @@ TEST_F(WindowLayoutTest, ALostDeviceIsUnmistakableAndSaysWhatToCheck) {
   EXPECT_EQ(middleMark()->tone, Tone::Bad);
   EXPECT_TRUE(middleMark()->has_frame);
   for (const char* what : {"cable", "power", "address"}) {
-    EXPECT_TRUE(middleMark()->words.contains(what)) << middleMark()->words.toStdString();
-    EXPECT_TRUE(labelText("bannerSentence").contains(what)) << labelText("bannerSentence").toStdString();
+    EXPECT_THAT(middleMark()->words, HasText(what));
+    EXPECT_THAT(labelText("bannerSentence"), HasText(what));
   }
   EXPECT_EQ(places(), before) << "the strip lies over the content";
   EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
@@ -292,8 +292,7 @@ TEST_F(LongSolveTest, WhatIsDoneIsSaidOverAnOldPictureThatIsMarkedAsOld) {
   EXPECT_FALSE(find<QWidget>("workNotice")->isVisible());
   const auto before = places();
   ASSERT_NO_FATAL_FAILURE(changeForLong());
-  EXPECT_TRUE(labelText("workText").startsWith("Working out the result of 1 pose: "))
-      << labelText("workText").toStdString();
+  EXPECT_THAT(labelText("workText"), BeginsWith("Working out the result of 1 pose: "));
   EXPECT_NE(find<QWidget>("workNotice")->findChild<QProgressBar*>(), nullptr);
   ASSERT_TRUE(middleMark().has_value());
   EXPECT_EQ(middleMark()->words, "from before: 2 poses");
@@ -316,9 +315,9 @@ TEST_F(LongSolveTest, CancelKeepsTheOldResultAndSaysSoUntilItIsWorkedOutAfterAll
   EXPECT_FALSE(controller().isCurrent());
   ASSERT_TRUE(middleMark().has_value());
   EXPECT_EQ(middleMark()->words, "from before: 2 poses");
-  EXPECT_TRUE(labelText("bannerSentence").contains("stopped")) << labelText("bannerSentence").toStdString();
+  EXPECT_THAT(labelText("bannerSentence"), HasText("stopped"));
   EXPECT_FALSE(action("actionExport")->isEnabled());
-  EXPECT_TRUE(action("actionExport")->toolTip().contains("stopped")) << action("actionExport")->toolTip().toStdString();
+  EXPECT_THAT(action("actionExport")->toolTip(), HasText("stopped"));
 
   held_.setFree(true);
   clickBanner();

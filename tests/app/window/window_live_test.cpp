@@ -74,7 +74,7 @@ TEST_F(WindowLiveTest, AWrongAddressIsRefusedInWordsAsItIsTyped) {
   const auto expectRefused = [&](const QString& reason) {
     EXPECT_FALSE(button->isEnabled()) << reason.toStdString();
     const QString note = dialog->findChild<QLabel*>("connectNote")->text();
-    EXPECT_TRUE(note.contains(reason)) << note.toStdString();
+    EXPECT_THAT(note, HasText(reason));
   };
   expectRefused("tcp://HOST:PORT");
   QTest::keyClicks(address, ":7700");
@@ -105,7 +105,7 @@ TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndItsAddressCanBeCorrectedOrG
   ASSERT_NO_FATAL_FAILURE(connectByDialog("Network, TCP", "127.0.0.1:1", pathTo("arm.hexo")));
   ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains("refused"); }));
   EXPECT_EQ(labelText("liveState"), "Connecting");
-  EXPECT_TRUE(labelText("sourceStatus").contains("Connecting")) << labelText("sourceStatus").toStdString();
+  EXPECT_THAT(labelText("sourceStatus"), HasText("Connecting"));
   keepPicture(window_->picture(), "live-refused");
   // Every wait is longer than the one before; those of more than a second are counted down.
   for (const char* left : {"next try in 2 s", "next try in 1 s"}) {

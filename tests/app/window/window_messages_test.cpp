@@ -185,7 +185,7 @@ TEST_F(WindowMessagesTest, ADeviceOfAnotherVersionIsSaidWithBothNumbersAndNotTri
   ASSERT_TRUE(waitForText("liveState", "^Incompatible$"));
   EXPECT_TRUE(labelText("liveText").contains('2') && labelText("liveText").contains('1'))
       << labelText("liveText").toStdString();
-  EXPECT_TRUE(labelText("liveText").contains("not trying again")) << labelText("liveText").toStdString();
+  EXPECT_THAT(labelText("liveText"), HasText("not trying again"));
   EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
 }
 

@@ -40,8 +40,7 @@ TEST_F(WindowOpenTest, SessionsOfBothKindsCalibrationsAndTumFilesOpenByTheSameKe
   EXPECT_EQ(controller().session(), nullptr);
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
   EXPECT_FALSE(action("actionSave")->isEnabled());
-  EXPECT_TRUE(action("actionSave")->toolTip().contains("calibration is open"))
-      << action("actionSave")->toolTip().toStdString();
+  EXPECT_THAT(action("actionSave")->toolTip(), HasText("calibration is open"));
   EXPECT_TRUE(action("actionExport")->isEnabled());
   clickRow("poseView", 0);
   EXPECT_FALSE(action("actionTogglePose")->isEnabled());
@@ -77,7 +76,7 @@ TEST_F(WindowOpenTest, ABrokenFileIsNamedWithItsPlaceAndNothingIsLost) {
     const QString path = writeFile(file, content);
     ASSERT_NO_FATAL_FAILURE(openByKeys(path));
     ASSERT_TRUE(waitForMessage(file));
-    EXPECT_TRUE(message().contains(said)) << message().toStdString();
+    EXPECT_THAT(message(), HasText(said));
     EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
     EXPECT_FALSE(message().contains('\n')) << "one line";
     EXPECT_EQ(contentOf(path), content) << "no file that was opened is changed";

@@ -60,7 +60,7 @@ TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
   const QString preview = dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText();
   for (const char* part : {"skin.urdf", "its place on the robot is not known", "A URDF holds no uncertainties.",
                            "skin.calibration.json", "manifest.json"}) {
-    EXPECT_TRUE(preview.contains(QLatin1String(part))) << part << " is not in\n" << preview.toStdString();
+    EXPECT_THAT(preview, HasText(part));
   }
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(waitUntilGone("exportDialog"));
@@ -70,7 +70,7 @@ TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
   QDialog* written = waitUntilWritten();
   EXPECT_EQ(written->findChild<QTreeWidget*>("packageFiles")->topLevelItemCount(), 4);
   const QString sentence = written->findChild<QLabel*>("packageSentence")->text();
-  EXPECT_TRUE(sentence.contains("4 files. Each was read back")) << sentence.toStdString();
+  EXPECT_THAT(sentence, HasText("4 files. Each was read back"));
   EXPECT_EQ(filesIn("out"), QStringList({"manifest.json", "report.pdf", "skin.calibration.json", "skin.urdf"}));
   EXPECT_EQ(readCalibrationJson(pathTo("out/skin.calibration.json").toStdString())->cellCount(), 17U);
   EXPECT_TRUE(contentOf(pathTo("out/report.pdf")).startsWith("%PDF"));

@@ -23,12 +23,10 @@ TEST_F(WindowRecordingTest, OneThatWasCutOffIsPlayedAsFarAsItIsWhole) {
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Ended"; }));
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
-  EXPECT_TRUE(labelText("liveText").startsWith(path + ": is cut off; all before byte "))
-      << labelText("liveText").toStdString();
+  EXPECT_THAT(labelText("liveText"), BeginsWith(path + ": is cut off; all before byte "));
   EXPECT_TRUE(find<QLabel>("liveText")->isVisible());
   EXPECT_FALSE(action("actionCapture")->isEnabled());
-  EXPECT_TRUE(action("actionCapture")->toolTip().contains("cut.skinrec"))
-      << action("actionCapture")->toolTip().toStdString();
+  EXPECT_THAT(action("actionCapture")->toolTip(), HasText("cut.skinrec"));
   keepPicture(window_->picture(), "recording-cut-off");
 
   click(find<QPushButton>("liveDisconnect"));
@@ -54,7 +52,7 @@ TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedText) {
   ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
   ASSERT_NO_FATAL_FAILURE(play(writeFile("noise.skinrec", QByteArray(5000, '#'))));
   ASSERT_TRUE(waitForMessage("noise.skinrec"));
-  EXPECT_TRUE(message().contains("is no recording of a skin")) << message().toStdString();
+  EXPECT_THAT(message(), HasText("is no recording of a skin"));
   EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
   EXPECT_FALSE(controller().liveSession().source().isRunning());
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
@@ -70,11 +68,11 @@ TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) 
   for (const auto& [said, content] : endings) {
     ASSERT_NO_FATAL_FAILURE(play(writeFile("without.skinrec", content)));
     ASSERT_TRUE(waitUntil([this, part = said] { return labelText("liveText").contains(part); }));
-    EXPECT_TRUE(labelText("liveText").contains("without.skinrec")) << labelText("liveText").toStdString();
+    EXPECT_THAT(labelText("liveText"), HasText("without.skinrec"));
     EXPECT_EQ(labelText("liveState"), "Ended");
     EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
-    EXPECT_FALSE(labelText("bannerSentence").contains("Waiting")) << labelText("bannerSentence").toStdString();
-    EXPECT_TRUE(labelText("bannerSentence").contains("without.skinrec")) << labelText("bannerSentence").toStdString();
+    EXPECT_THAT(labelText("bannerSentence"), testing::Not(HasText("Waiting")));
+    EXPECT_THAT(labelText("bannerSentence"), HasText("without.skinrec"));
     EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
     keepPicture(window_->picture(), "recording-without-a-skin");
     clickBanner();

@@ -68,10 +68,10 @@ class WindowUndoTest : public WindowTest {
     const State after = now();
     ASSERT_FALSE(after == before);
     ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "done"));
-    EXPECT_TRUE(action("actionUndo")->text().contains(words)) << action("actionUndo")->text().toStdString();
+    EXPECT_THAT(action("actionUndo")->text(), HasText(words));
     undo();
     ASSERT_NO_FATAL_FAILURE(expectAllAre(before, "undone"));
-    EXPECT_TRUE(action("actionRedo")->text().contains(words)) << action("actionRedo")->text().toStdString();
+    EXPECT_THAT(action("actionRedo")->text(), HasText(words));
     redo();
     ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "redone"));
     undo();

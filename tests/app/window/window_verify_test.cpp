@@ -38,7 +38,7 @@ TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
   find<QComboBox>("holdOutPose")->setCurrentIndex(2);
   click(find<QPushButton>("holdOutRun"));
   ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses predict pose 3"));
-  EXPECT_TRUE(sentence("holdOut").startsWith("As good as stated")) << sentence("holdOut").toStdString();
+  EXPECT_THAT(sentence("holdOut"), BeginsWith("As good as stated"));
 }
 
 TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
@@ -137,7 +137,7 @@ TEST_F(WindowVerifyTest, AnOldCalibrationIsComparedWithThePosesOfToday) {
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("oldCalibrationDialog", calibration));
   ASSERT_TRUE(waitForSentence("oldCalibration", "Not as calibrated: cells 5 and 7."));
   EXPECT_TRUE(sentence("oldCalibration").contains("Compared with arm.calibration.json: poses 1 and 2."));
-  EXPECT_TRUE(sentence("oldCalibration").contains("calibrate anew")) << sentence("oldCalibration").toStdString();
+  EXPECT_THAT(sentence("oldCalibration"), HasText("calibrate anew"));
   keepPicture(window_->picture(), "old-calibration-light");
 
   // It is compared anew when the session changes, without poses that the operator disabled.
@@ -158,7 +158,7 @@ TEST_F(WindowVerifyTest, AnOldCalibrationThatHoldsIsSaidToHoldWhetherFromACalibr
   ASSERT_TRUE(waitForSentence("oldCalibration", holds));
   panel().checkOldCalibration(writeSession("earlier.session.json", simulated(4, {}, 100)));
   ASSERT_TRUE(waitForSentence("oldCalibration", "earlier.session.json"));
-  EXPECT_TRUE(sentence("oldCalibration").startsWith(holds)) << sentence("oldCalibration").toStdString();
+  EXPECT_THAT(sentence("oldCalibration"), BeginsWith(holds));
 
   // Another skin is open, and what was chosen for this one says nothing about it.
   ASSERT_NO_FATAL_FAILURE(openSession("other.session.json", simulated(3, {}, 100)));
@@ -179,8 +179,7 @@ TEST_F(WindowVerifyTest, AFileThatIsNoCalibrationOfThisSkinGetsASentenceThatSays
   for (const auto& [path, why] : files) {
     panel().checkOldCalibration(path);
     ASSERT_TRUE(waitForSentence("oldCalibration", why));
-    EXPECT_TRUE(sentence("oldCalibration").contains(QFileInfo(path).fileName()))
-        << sentence("oldCalibration").toStdString();
+    EXPECT_THAT(sentence("oldCalibration"), HasText(QFileInfo(path).fileName()));
     EXPECT_EQ(find<QTableView>("oldCalibrationTable")->model()->rowCount(), 0);
   }
   // After all of them, the right one.
@@ -194,8 +193,7 @@ TEST_F(WindowVerifyTest, ACalibrationThatIsOpenHasNoPosesToCheckAnotherOneWith) 
   ASSERT_NO_FATAL_FAILURE(openFile(writeCalibration("arm.calibration.json", simulated(4, {}, 100))));
   ASSERT_NO_FATAL_FAILURE(showPanel());
   EXPECT_FALSE(find<QPushButton>("oldCalibrationChoose")->isEnabled());
-  EXPECT_TRUE(sentence("oldCalibration").contains("open a session with the poses of today"))
-      << sentence("oldCalibration").toStdString();
+  EXPECT_THAT(sentence("oldCalibration"), HasText("open a session with the poses of today"));
 }
 
 TEST_F(WindowVerifyTest, OfASessionThatGoesOnTheNewestPosesAreChecked) {

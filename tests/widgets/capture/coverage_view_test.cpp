@@ -1,6 +1,7 @@
 #include "widgets/capture/coverage_view.h"
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 
 #include <gtest/gtest.h>
@@ -146,10 +147,9 @@ TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
 TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
   const QString words = view.accessibleDescription();
-  EXPECT_TRUE(words.contains("2 poses")) << words.toStdString();
-  EXPECT_TRUE(words.contains("fully defined")) << words.toStdString();
-  EXPECT_TRUE(words.contains("facing the ceiling or the floor: the third value is 0.00, needs 0.50"))
-      << words.toStdString();
+  EXPECT_THAT(words, HasText("2 poses"));
+  EXPECT_THAT(words, HasText("fully defined"));
+  EXPECT_THAT(words, HasText("facing the ceiling or the floor: the third value is 0.00, needs 0.50"));
   view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
   EXPECT_TRUE(view.accessibleDescription().contains("No direction is missing"));
 }
@@ -157,12 +157,10 @@ TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
 TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
   view.setNext(Eigen::Vector3d::UnitZ());
-  EXPECT_TRUE(view.accessibleDescription().contains(
-      "A third direction is missing (value 0.00, needs 0.50); the next pose is one."))
-      << view.accessibleDescription().toStdString();
+  EXPECT_THAT(view.accessibleDescription(),
+              HasText("A third direction is missing (value 0.00, needs 0.50); the next pose is one."));
   view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise: no second instruction beside it
-  EXPECT_TRUE(view.accessibleDescription().contains("A third direction is not seen yet: its value is 0.00, of 0.50."))
-      << view.accessibleDescription().toStdString();
+  EXPECT_THAT(view.accessibleDescription(), HasText("A third direction is not seen yet: its value is 0.00, of 0.50."));
   EXPECT_FALSE(view.accessibleDescription().contains("facing the ceiling or the floor"));
   view.setNext(Eigen::Vector3d::UnitZ());
   view.setNext(std::nullopt);

@@ -3,6 +3,7 @@
 #include "hexoderm/base/se3.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/kept_picture.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_view.h"
@@ -77,11 +78,11 @@ TEST_F(CompareViewTest, ColoursAreTheSameOnBoth) {
 TEST_F(CompareViewTest, SaysHowFarTheTwoAreApartAndNamesTheCellThatMovedMost) {
   show();
   const QString text = find<QLabel>("compareSummary")->text();
-  EXPECT_TRUE(text.startsWith("17 cells in common.")) << text.toStdString();
+  EXPECT_THAT(text, BeginsWith("17 cells in common."));
   const Comparison& comparison = content.comparison->front();
   const auto farthest =
       std::ranges::max_element(comparison.cells, {}, [](const CellDifference& cell) { return cell.position_m.norm(); });
-  EXPECT_TRUE(text.contains(QStringLiteral("cell %1 ").arg(farthest->cell.value()))) << text.toStdString();
+  EXPECT_THAT(text, HasText(QStringLiteral("cell %1 ").arg(farthest->cell.value())));
 }
 
 TEST_F(CompareViewTest, ArrowsAreEnlargedAsFarAsTheSliderSays) {

@@ -36,7 +36,7 @@ TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderItAndThePicture) {
   ASSERT_NE(menu, nullptr);
   QAction* pick = entry(*menu, "actionPickCell");
   ASSERT_NE(pick, nullptr);
-  EXPECT_TRUE(pick->text().contains("1")) << pick->text().toStdString();
+  EXPECT_THAT(pick->text(), HasText("1"));
   pick->trigger();
   EXPECT_EQ(selection.cell(), CellId(1));
   ASSERT_NE(entry(*menu, "actionCenterCell"), nullptr);

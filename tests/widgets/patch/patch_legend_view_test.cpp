@@ -44,7 +44,7 @@ TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
   EXPECT_TRUE(legend().isVisible());
   EXPECT_TRUE(legend().accessibleName().contains("position uncertainty (95 %), mm"));
   for (const char* part : {"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}) {
-    EXPECT_TRUE(said().contains(QLatin1String(part))) << part << " in " << qPrintable(said());
+    EXPECT_THAT(said(), HasText(part));
   }
   EXPECT_EQ(button()->text(), "fitted range ▾");
   EXPECT_TRUE(view.rect().contains(legend().geometry()));
@@ -58,7 +58,7 @@ TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
   view.setReconstruction(shared(unknown));
   EXPECT_TRUE(legend().isVisible());
   EXPECT_FALSE(button()->isVisible());
-  EXPECT_FALSE(said().contains("from")) << qPrintable(said());
+  EXPECT_THAT(said(), testing::Not(HasText("from")));
 }
 
 TEST_F(PatchLegendViewTest, InANarrowViewTheTitleHasLinesOfItsOwnAndTheAxesTheirPlace) {
@@ -82,7 +82,7 @@ TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {
   key(Qt::Key_Left);
   EXPECT_TRUE(said().startsWith("0.35 to")) << "nothing lies below";
   key(Qt::Key_Right);
-  EXPECT_TRUE(said().contains("0 cells")) << qPrintable(said());
+  EXPECT_THAT(said(), HasText("0 cells"));
   key(Qt::Key_End);
   EXPECT_EQ(said(), "more than 2.00 mm: 1 cell");
   key(Qt::Key_Right);
@@ -94,7 +94,7 @@ TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {
 TEST_F(PatchLegendViewTest, TheMouseReadsTheScale) {
   const QImage before = legend().grab().toImage();
   test::moveMouse(&legend(), bar());
-  EXPECT_TRUE(said().contains(" mm: ")) << qPrintable(said());
+  EXPECT_THAT(said(), HasText(" mm: "));
   EXPECT_NE(legend().grab().toImage(), before);
   QEvent leave(QEvent::Leave);
   QCoreApplication::sendEvent(&legend(), &leave);

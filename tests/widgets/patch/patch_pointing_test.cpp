@@ -353,14 +353,14 @@ TEST_F(PatchPointingTest, TheColourOfTheCellIsOnItsCardAsAFigure) {
   controls().action(Coloring::Residual)->setChecked(true);
   selection.selectCell(CellId(2));
   view.setMetricsShown(true);
-  EXPECT_TRUE(figureCard()->text().contains("0.40°")) << figureCard()->text().toStdString();
+  EXPECT_THAT(figureCard()->text(), HasText("0.40°"));
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, 0.93}}});
   view.setMoment(moment);
   controls().action(Coloring::ReadingZ)->setChecked(true);
-  EXPECT_TRUE(figureCard()->text().contains("0.93")) << figureCard()->text().toStdString();
+  EXPECT_THAT(figureCard()->text(), HasText("0.93"));
   moment.readings = readingsOf({{CellId(2), {0.1, 0.2, -0.51}}});
   view.setMoment(moment);
-  EXPECT_TRUE(figureCard()->text().contains("−0.51")) << figureCard()->text().toStdString();
+  EXPECT_THAT(figureCard()->text(), HasText("−0.51"));
 }
 
 TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {

@@ -206,7 +206,7 @@ TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
   view.setMoment(moment);
   controls().action(Coloring::ReadingZ)->setChecked(true);
   const QImage up = view.screenshot();
-  EXPECT_TRUE(words().contains("z, g")) << words().toStdString();
+  EXPECT_THAT(words(), HasText("z, g"));
   moment.readings = readingsOf({{CellId(1), {0, 0, -1}}});
   view.setMoment(moment);
   EXPECT_NE(view.screenshot(), up);
@@ -227,12 +227,12 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
   EXPECT_TRUE(words().contains("truth"));
   overlays.loop = shared(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
   view.setOverlays(overlays);
-  EXPECT_TRUE(words().contains("loop gap: ")) << words().toStdString();
+  EXPECT_THAT(words(), HasText("loop gap: "));
   Reconstruction before = *skin;
   before.patches[0].cells[3].T_o_u.t.z() += 0.001;
   overlays.comparison = shared(compareToReconstruction(*skin, before));
   view.setOverlays(overlays);
-  EXPECT_TRUE(words().contains("arrows: from before to now, drawn 10 times as large")) << words().toStdString();
+  EXPECT_THAT(words(), HasText("arrows: from before to now, drawn 10 times as large"));
   controls().action(SceneItem::Comparison)->trigger();
   EXPECT_FALSE(words().contains("arrows"));
 }
@@ -244,12 +244,11 @@ TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
   lonely.first_id = 101;
   lonely.arm_cells = 0;
   view.setReconstruction(shared(demoPatches({DemoOptions(), lonely})));
-  EXPECT_TRUE(words().contains("dashed frame: patch of cell 101, not placed against the others"))
-      << words().toStdString();
+  EXPECT_THAT(words(), HasText("dashed frame: patch of cell 101, not placed against the others"));
   controls().measureAction()->trigger();
   selection.selectCell(CellId(1));
   selection.selectCell(CellId(101));
-  EXPECT_TRUE(words().contains("Cells 1 and 101 are in different patches")) << words().toStdString();
+  EXPECT_THAT(words(), HasText("Cells 1 and 101 are in different patches"));
   EXPECT_FALSE(words().contains("mm apart"));
   controls().measureAction()->trigger();
   std::vector<DemoOptions> many = {DemoOptions()};
@@ -258,7 +257,7 @@ TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
     many.back().first_id += k;
   }
   view.setReconstruction(shared(demoPatches(many)));
-  EXPECT_TRUE(words().contains("9 patches beside the largest")) << words().toStdString();
+  EXPECT_THAT(words(), HasText("9 patches beside the largest"));
 }
 
 TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {

@@ -37,11 +37,11 @@ TEST_F(LogPresenterTest, AReportHoldsVersionsAndLinesAndNoHome) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   for (int k = 0; k < 250; ++k) window_->log().add(Severity::Info, QStringLiteral("line %1").arg(k));
   action("actionCopyReport")->trigger();
-  EXPECT_TRUE(message().contains("Copied")) << message().toStdString();
+  EXPECT_THAT(message(), HasText("Copied"));
   QString report = QGuiApplication::clipboard()->text();
   for (const char* part :
        {"Hexoderm: 0", "Qt: 5", "VTK: 9", "OpenGL", "System: ", "Screen: ", "17 cells", "line 249"}) {
-    EXPECT_TRUE(report.contains(part)) << part << '\n' << report.toStdString();
+    EXPECT_THAT(report, HasText(part));
   }
   EXPECT_TRUE(report.contains("line 100\n"));
   EXPECT_FALSE(report.contains("line 20\n")) << "more than the last lines";
