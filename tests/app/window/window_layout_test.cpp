@@ -173,15 +173,14 @@ class WindowFits : public WindowLayoutTest, public testing::WithParamInterface<s
  protected:
   void SetUp() override {
     font_ = QApplication::font();
-    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()),
-                        QLatin1String(std::get<0>(GetParam())));
+    installTranslations(*qApp, std::get<0>(GetParam()));
     applyTextFactor(std::get<1>(GetParam()));
     WindowTest::SetUp();
   }
   void TearDown() override {
     window_.reset();
     QApplication::setFont(font_);
-    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), "en");
+    installTranslations(*qApp, "en");
   }
 
   QFont font_;

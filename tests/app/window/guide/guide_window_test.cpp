@@ -6,8 +6,6 @@
 namespace hexoderm {
 namespace {
 
-QApplication& application() { return *qobject_cast<QApplication*>(QCoreApplication::instance()); }
-
 QString textOf(const QString& language, const QString& page) {
   QFile file(QStringLiteral(":/hexoderm/guide/%1/%2.md").arg(language, page));
   EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << file.fileName().toStdString();
@@ -16,14 +14,14 @@ QString textOf(const QString& language, const QString& page) {
 
 TEST(UserGuide, HasEveryPageWithATitleInEveryLanguage) {
   for (const QString& language : shippedLanguages()) {
-    installTranslations(application(), language);
+    installTranslations(*qApp, language);
     for (const QString& page : GuideWindow::pages()) {
       EXPECT_FALSE(GuideWindow::titleOf(page).isEmpty()) << language.toStdString() << "/" << page.toStdString();
       EXPECT_TRUE(textOf(language, page).contains(GuideWindow::titleOf(page)));
     }
   }
   EXPECT_EQ(GuideWindow::titleOf("keys"), "Tasten");
-  installTranslations(application(), "en");
+  installTranslations(*qApp, "en");
   EXPECT_EQ(GuideWindow::titleOf("keys"), "Keys");
   EXPECT_TRUE(GuideWindow::titleOf("nothing").isEmpty());
 }
