@@ -86,19 +86,18 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThe
   ASSERT_TRUE(waitForPoses(1));
   ASSERT_TRUE(waitUntil(isAsked));
 
-  ASSERT_TRUE(waitUntil([this] { return find<QPushButton>("bannerButton")->text().startsWith("Let the simulated"); }));
+  ASSERT_TRUE(waitUntil([this] { return bannerButton().startsWith("Let the simulated"); }));
   clickBanner();
   ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isRobotOn(); }));
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Stop the robot");
+  EXPECT_EQ(bannerButton(), "Stop the robot");
   ASSERT_TRUE(waitUntil([this] { return !controller().liveSession().isRobotOn(); }));
   ASSERT_TRUE(waitUntilIdle());
   ASSERT_TRUE(waitUntil([&] { return !isAsked(); }));
   EXPECT_FALSE(controller().liveSession().wantsMorePoses());
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Export…");
+  EXPECT_EQ(bannerButton(), "Export…");
   EXPECT_FALSE(controller().reconstruction()->assessment.wantsPose())
       << posesShown() << " poses: " << controller().reconstruction()->assessment.reason;
-  EXPECT_FALSE(action("actionSkipPose")->isEnabled());
-  EXPECT_THAT(action("actionSkipPose")->toolTip(), HasText("enough poses"));
+  expectDisabled("actionSkipPose", "enough poses");
   EXPECT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }))
       << "for a result that is better than good";
 }

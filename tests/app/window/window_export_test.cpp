@@ -73,14 +73,14 @@ TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
       for (const char* table : {"cells.csv", "links.csv", "poses.csv", "residuals.csv", "covariances.csv"}) {
         EXPECT_TRUE(QFile::exists(path + '/' + table)) << table;
       }
-      click(find<QWidget>("messageClose"));
+      closeMessage();
       ASSERT_NO_FATAL_FAILURE(exportAs(format, path));
       ASSERT_TRUE(waitForMessage("Exported to " + path)) << "tables are replaced when asked";
     } else {
       EXPECT_GT(written.size(), 500) << path.toStdString();
     }
     // No message of the one before is taken for the next one's.
-    click(find<QWidget>("messageClose"));
+    closeMessage();
   }
   EXPECT_EQ(readCalibrationJson(pathTo("Calibration-of-the-arm.calibration.json").toStdString())->cellCount(), 17U);
 }
@@ -139,7 +139,7 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   ASSERT_TRUE(waitForMessage("Not in the file: the patch of cell 7 (1 cell)"));
   EXPECT_THAT(message(), HasText("Exported to " + pathTo("large.ply")));
   EXPECT_TRUE(contentOf(pathTo("large.ply")).contains("in the frame of cell 2,"));
-  click(find<QWidget>("messageClose"));
+  closeMessage();
 
   dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
@@ -159,7 +159,7 @@ TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritt
   const QString window_picture = message().section("Exported to ", 1);
   EXPECT_EQ(QImage(window_picture).size(), window_->size() * window_->devicePixelRatioF()) << message().toStdString();
   QFile::remove(window_picture);  // it may be among the user's own
-  click(find<QWidget>("messageClose"));
+  closeMessage();
 
   action("actionScenePicture")->trigger();
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo("view.png")));
@@ -225,7 +225,7 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
     write(path);
     ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString();
     EXPECT_THAT(message(), HasText(path));
-    click(find<QWidget>("messageClose"));
+    closeMessage();
   }
   PackageRequest package;
   package.formats = {ExportFormat::Stl};
@@ -253,10 +253,10 @@ TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
     const QByteArray before = contentOf(path);
     files.exportTo({ExportFormat::Ply, path, {}});
     ASSERT_TRUE(waitForMessage("is one of the inputs"));
-    click(find<QWidget>("messageClose"));
+    closeMessage();
     files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
     ASSERT_TRUE(waitForMessage("is one of the inputs"));
-    click(find<QWidget>("messageClose"));
+    closeMessage();
     EXPECT_EQ(contentOf(path), before);
   }
   controller().file().saveSession(session);

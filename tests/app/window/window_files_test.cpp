@@ -20,8 +20,7 @@ TEST_F(WindowFilesTest, ADroppedSessionIsOpenedAndAClickOnAFindingPicksWhatItIsA
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().file().name(), "row.session.json");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 3U);
-  EXPECT_FALSE(action("actionCapture")->isEnabled());
-  EXPECT_TRUE(action("actionCapture")->toolTip().contains("No skin is connected"));
+  expectDisabled("actionCapture", "No skin is connected");
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
 
   const auto* findings = qobject_cast<FindingTable*>(find<QTableView>("findingView")->model());

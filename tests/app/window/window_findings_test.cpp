@@ -145,7 +145,7 @@ TEST_F(WindowFindingsTest, TooFewPosesAreSaidWithWhatToDoNext) {
     EXPECT_TRUE(std::any_of(labels.begin(), labels.end(), [&](const QLabel* label) {
       return label->isVisible() && label->text().toStdString() == verdict.next_action.english();
     })) << verdict.next_action;
-    EXPECT_FALSE(find<QPushButton>("bannerButton")->text().contains("Export")) << "not good enough to offer it";
+    EXPECT_FALSE(bannerButton().contains("Export")) << "not good enough to offer it";
   }
 }
 

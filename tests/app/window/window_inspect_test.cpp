@@ -122,7 +122,7 @@ TEST_F(WindowInspectTest, AFindingIsACardThatLeadsToItsCellAndSoDoesTheBanner) {
   EXPECT_EQ(beside->finding().code, FindingCode::DeadSensor);
   // And on top.
   window_->selection().clear();
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Show what does not fit");
+  EXPECT_EQ(bannerButton(), "Show what does not fit");
   clickBanner();
   EXPECT_EQ(picked(), CellId(7));
 }

@@ -315,8 +315,7 @@ TEST_F(LongSolveTest, CancelKeepsTheOldResultAndSaysSoUntilItIsWorkedOutAfterAll
   ASSERT_TRUE(middleMark().has_value());
   EXPECT_EQ(middleMark()->words, "from before: 2 poses");
   EXPECT_THAT(labelText("bannerSentence"), HasText("stopped"));
-  EXPECT_FALSE(action("actionExport")->isEnabled());
-  EXPECT_THAT(action("actionExport")->toolTip(), HasText("stopped"));
+  expectDisabled("actionExport", "stopped");
 
   held_.setFree(true);
   clickBanner();

@@ -24,8 +24,7 @@ class WindowLinksTest : public WindowTest {
 
 TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(2)));
-  EXPECT_FALSE(action("actionMuteLink")->isEnabled());
-  EXPECT_TRUE(action("actionMuteLink")->toolTip().contains("Pick a link"));
+  expectDisabled("actionMuteLink", "Pick a link");
   const Selection::Link link = firstLink();
   const QPoint at = graph()->positionOf(link.first, link.second).value();
   QContextMenuEvent event(QContextMenuEvent::Mouse, at, graph()->mapToGlobal(at));
@@ -62,8 +61,7 @@ TEST_F(WindowLinksTest, ACalibrationSaysWhyItsLinksStayAsTheyAre) {
   ASSERT_NO_FATAL_FAILURE(openFile(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
   window_->selection().selectLink(link.source, link.target);
-  EXPECT_FALSE(action("actionMuteLink")->isEnabled());
-  EXPECT_TRUE(action("actionMuteLink")->toolTip().contains("calibration"));
+  expectDisabled("actionMuteLink", "calibration");
   press(Qt::Key_M);
   EXPECT_EQ(controller().undoStack()->count(), 0);
 }
@@ -75,7 +73,7 @@ TEST_F(WindowLinksTest, ThePictureOfTheGraphIsWritten) {
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo(name)));
     ASSERT_TRUE(waitForMessage("Exported to " + pathTo(name)));
     EXPECT_GT(QFileInfo(pathTo(name)).size(), 2000);
-    click(find<QWidget>("messageClose"));
+    closeMessage();
   }
   EXPECT_FALSE(QImage(pathTo("graph.png")).isNull());
 }

@@ -55,7 +55,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndWhenItIsGoneTheStepSaysSo) {
   press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().file().name(), "arm.hexo");
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Let the robot take the poses");
+  EXPECT_EQ(bannerButton(), "Let the robot take the poses");
 
   action("actionDisconnect")->trigger();
   EXPECT_TRUE(waitUntil([this] { return !action("actionCapture")->isEnabled(); }));
@@ -111,7 +111,7 @@ TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndItsAddressCanBeCorrectedOrG
   for (const char* left : {"next try in 2 s", "next try in 1 s"}) {
     ASSERT_TRUE(waitUntil([&] { return labelText("liveText").contains(left); }));
   }
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Correct the address…");
+  EXPECT_EQ(bannerButton(), "Correct the address…");
   clickBanner();
   auto* dialog = waitForDialog("connectDialog");
   EXPECT_EQ(dialog->findChild<QComboBox*>("connectAddress")->currentText(), "127.0.0.1:1");
@@ -157,8 +157,7 @@ TEST_F(WindowLiveTest, APoseThatLacksReadingsIsTakenAgainByTheButtonOnTop) {
   const Assessment& assessment = controller().reconstruction()->assessment;
   ASSERT_EQ(assessment.remedy, Remedy::RetakePoses) << assessment.reason.english();
   ASSERT_EQ(assessment.retake.front(), PoseId(1));
-  EXPECT_FALSE(action("actionRetake")->isEnabled());
-  EXPECT_EQ(action("actionRetake")->toolTip(), "No skin is connected");
+  expectDisabled("actionRetake", "No skin is connected");
 
   controller().liveSession().setAutomatic(false);
   window_->connectTo({kQuickSkin, {}, true});
@@ -243,7 +242,7 @@ TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadings
 
   ASSERT_TRUE(waitUntil([this] { return labelText("bannerSentence").startsWith("The skin does not send any more"); }));
   EXPECT_TRUE(controller().liveSession().isRobotOn()) << "it goes on when the skin does";
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), action("actionConnect")->iconText());
+  EXPECT_EQ(bannerButton(), action("actionConnect")->iconText());
   EXPECT_TRUE(stillness->trace().points().empty());
   EXPECT_EQ(patch->moment().readings, nullptr);
   EXPECT_FALSE(patch->moment().up_o.has_value());

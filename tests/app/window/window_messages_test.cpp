@@ -186,7 +186,7 @@ TEST_F(WindowMessagesTest, ADeviceOfAnotherVersionIsSaidWithBothNumbersAndNotTri
   EXPECT_TRUE(labelText("liveText").contains('2') && labelText("liveText").contains('1'))
       << labelText("liveText").toStdString();
   EXPECT_THAT(labelText("liveText"), HasText("not trying again"));
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Disconnect");
+  EXPECT_EQ(bannerButton(), "Disconnect");
 }
 
 TEST_F(WindowMessagesTest, GarbageAndWrongChecksumsAreSaidAndLoseNothing) {

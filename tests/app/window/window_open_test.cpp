@@ -39,8 +39,7 @@ TEST_F(WindowOpenTest, SessionsOfBothKindsCalibrationsAndTumFilesOpenByTheSameKe
   ASSERT_NO_FATAL_FAILURE(openAndWait(pathTo("c.calibration.json")));
   EXPECT_EQ(controller().session(), nullptr);
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
-  EXPECT_FALSE(action("actionSave")->isEnabled());
-  EXPECT_THAT(action("actionSave")->toolTip(), HasText("calibration is open"));
+  expectDisabled("actionSave", "calibration is open");
   EXPECT_TRUE(action("actionExport")->isEnabled());
   clickRow("poseView", 0);
   EXPECT_FALSE(action("actionTogglePose")->isEnabled());

@@ -115,11 +115,11 @@ class WindowTest : public testing::Test {
     data.setUrls({QUrl::fromLocalFile(path)});
     const QPoint at(200, 200);
     QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &event);
-    EXPECT_TRUE(event.isAccepted());
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    for (QDropEvent* event : std::initializer_list<QDropEvent*>{&enter, &drop}) {
+      QApplication::sendEvent(window_.get(), event);
+      EXPECT_TRUE(event->isAccepted());
+    }
   }
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
@@ -206,6 +206,14 @@ class WindowTest : public testing::Test {
     for (std::size_t taken = 1; taken < count; ++taken) ASSERT_NO_FATAL_FAILURE(takeNextPose());
   }
 
+  /// The demo with so many poses, disconnected: nothing but the test changes anything.
+  void restWithDemoPoses(std::size_t count) {
+    ASSERT_NO_FATAL_FAILURE(takeDemoPoses(count));
+    controller().liveSession().disconnectSource();
+    ASSERT_TRUE(waitUntilIdle());
+    test::letTurnsPass();
+  }
+
   /// Throws, which ends the test, if it does not come.
   template <class T = QDialog>
   T* waitForDialog(const char* object_name) {
@@ -255,6 +263,12 @@ class WindowTest : public testing::Test {
     return waitUntil([&] { return message().contains(part); });
   }
   QString labelText(const char* label) { return find<QLabel>(label)->text(); }
+  QString bannerButton() { return find<QPushButton>("bannerButton")->text(); }
+  void closeMessage() { click(find<QWidget>("messageClose")); }
+  void expectDisabled(const char* name, const QString& why) {
+    EXPECT_FALSE(action(name)->isEnabled()) << name;
+    EXPECT_THAT(action(name)->toolTip(), HasText(why)) << name;
+  }
   QString message() {
     if (find<QWidget>("messageBar")->isVisible()) return find<QLabel>("messageText")->text();
     return find<QLabel>("saidStatus")->isVisible() ? find<QLabel>("saidStatus")->text() : QString();

@@ -78,8 +78,7 @@ class WindowUndoTest : public WindowTest {
     ASSERT_NO_FATAL_FAILURE(expectAllAre(before, "undone again"));
     press(Qt::Key_Y, Qt::ControlModifier);
     ASSERT_NO_FATAL_FAILURE(expectAllAre(after, "redone by the other key"));
-    EXPECT_FALSE(action("actionRedo")->isEnabled());
-    EXPECT_EQ(action("actionRedo")->toolTip(), "Nothing to redo");
+    expectDisabled("actionRedo", "Nothing to redo");
   }
   void pickPose(int row) {
     clickRow("poseView", row);
@@ -92,8 +91,7 @@ class WindowUndoTest : public WindowTest {
 
 TEST_F(WindowUndoTest, APoseThatIsDisabledEnabledAgainOrDeletedWhileItIsDisabled) {
   ASSERT_NO_FATAL_FAILURE(openKept());
-  EXPECT_FALSE(action("actionTogglePose")->isEnabled());
-  EXPECT_TRUE(action("actionTogglePose")->toolTip().contains("Pick a pose"));
+  expectDisabled("actionTogglePose", "Pick a pose");
   ASSERT_NO_FATAL_FAILURE(pickPose(1));
   const auto toggle = [this] { press(Qt::Key_Delete); };
   expectUndoAndRedo(toggle, "disable pose 2");
