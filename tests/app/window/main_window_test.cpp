@@ -10,33 +10,6 @@ namespace {
 
 using MainWindowTest = WindowTest;
 
-TEST_F(MainWindowTest, ExportDialogSaysWhatIsMissing) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  auto* dialog = openExportDialog();
-  auto* edit = dialog->findChild<QLineEdit*>("exportPath");
-  auto* button = dialog->findChild<QPushButton*>("exportButton");
-  auto* note = dialog->findChild<QLabel*>("exportNote");
-  EXPECT_TRUE(button->isEnabled());
-  edit->clear();
-  EXPECT_FALSE(button->isEnabled());
-  QTest::keyClicks(edit, pathTo("no/such/folder/a.stl"));
-  EXPECT_FALSE(button->isEnabled());
-  EXPECT_THAT(note->text(), HasText("There is no folder"));
-
-  auto* formats = dialog->findChild<QListWidget*>("exportFormats");
-  formats->setFocus();
-  QTest::keyClicks(formats, "URDF");
-  edit->setText(pathTo("arm.urdf"));
-  auto* prefix = dialog->findChild<QLineEdit*>("export-parent");
-  ASSERT_TRUE(prefix->isVisible());
-  EXPECT_TRUE(button->isEnabled());
-  prefix->clear();
-  EXPECT_FALSE(button->isEnabled()) << "a link needs a name";
-  QTest::keyClick(dialog, Qt::Key_Escape);
-  EXPECT_TRUE(waitUntilGone("exportDialog"));
-  EXPECT_TRUE(window_->isVisible());
-}
-
 TEST_F(MainWindowTest, KeysGoToTheButtonOrFieldThatHasTheFocus) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   find<QAbstractButton>("stepHead1")->setFocus(Qt::TabFocusReason);

@@ -26,6 +26,10 @@ class FolderOpener : public QObject {
 
 class WindowExportTest : public WindowTest {
  protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+  }
   /// Chooses the row of a format in the open dialog, "CALIBRATION" for Hexoderm's own.
   static void choose(QDialog* dialog, const QString& format) {
     auto* formats = dialog->findChild<QListWidget*>("exportFormats");
@@ -56,7 +60,6 @@ class WindowExportTest : public WindowTest {
 };
 
 TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   std::vector<std::pair<QString, QString>> files = {{"Calibration", ".calibration.json"}};
   for (const ExportFormatDescription& format : exportFormats()) {
     files.emplace_back(QString::fromStdString(std::string(format.name)).toUpper(),
@@ -85,20 +88,14 @@ TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
   EXPECT_EQ(readCalibrationJson(pathTo("Calibration-of-the-arm.calibration.json").toStdString())->cellCount(), 17U);
 }
 
-TEST_F(WindowExportTest, TheNameKeepsItsBeginningAndTakesTheFormatsEnding) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+TEST_F(WindowExportTest, AFormatsEndingIsInTheNameAndItsOptionsAreInTheFile) {
   QDialog* dialog = openExportDialog();
-  const auto* edit = dialog->findChild<QLineEdit*>("exportPath");
-  EXPECT_EQ(edit->text(), pathTo("arm.calibration.json"));
+  const auto* path = dialog->findChild<QLineEdit*>("exportPath");
+  EXPECT_EQ(path->text(), pathTo("arm.calibration.json"));
   for (const ExportFormatDescription& format : exportFormats()) {
     ASSERT_NO_FATAL_FAILURE(choose(dialog, QString::fromStdString(std::string(format.name))));
-    EXPECT_EQ(edit->text(), pathTo("arm" + QString::fromStdString(std::string(format.extension))));
+    EXPECT_EQ(path->text(), pathTo("arm" + QString::fromStdString(std::string(format.extension))));
   }
-}
-
-TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  QDialog* dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
   for (const auto& [name, text] : {std::pair("export-model-name", "arm7"), std::pair("export-parent", "elbow_link"),
                                    std::pair("export-prefix", "tactile_")}) {
@@ -153,7 +150,6 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
 }
 
 TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritten) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   press(Qt::Key_F12);
   ASSERT_TRUE(waitForMessage("Exported to "));
   const QString window_picture = message().section("Exported to ", 1);
@@ -169,8 +165,26 @@ TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritt
   EXPECT_GT(coloursIn(view), 50U) << "the skin is in it";
 }
 
+TEST_F(WindowExportTest, TheDialogSaysWhatIsMissing) {
+  QDialog* dialog = openExportDialog();
+  auto* edit = dialog->findChild<QLineEdit*>("exportPath");
+  const auto* button = dialog->findChild<QPushButton*>("exportButton");
+  EXPECT_TRUE(button->isEnabled());
+  edit->clear();
+  EXPECT_FALSE(button->isEnabled());
+  QTest::keyClicks(edit, pathTo("no/such/folder/a.stl"));
+  EXPECT_FALSE(button->isEnabled());
+  EXPECT_THAT(dialog->findChild<QLabel*>("exportNote")->text(), HasText("There is no folder"));
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
+  edit->setText(pathTo("arm.urdf"));
+  EXPECT_TRUE(button->isEnabled());
+  dialog->findChild<QLineEdit*>("export-parent")->clear();
+  EXPECT_FALSE(button->isEnabled()) << "a link needs a name";
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntilGone("exportDialog"));
+}
+
 TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   FolderOpener desktop;
   ASSERT_TRUE(QDir(folder_.path()).mkdir("out"));
   ASSERT_NO_FATAL_FAILURE(exportAs("DOT", pathTo("out/arm.dot")));
@@ -181,7 +195,6 @@ TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
 }
 
 TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   const QString path = writeFile("arm.ply", "what was there");
   {
     const test::NoFileGrows full;
@@ -197,7 +210,6 @@ TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
 }
 
 TEST_F(WindowExportTest, NothingReplacesASession) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   const std::string open_session = pathTo("arm.hexo").toStdString();
   std::filesystem::create_hard_link(open_session, pathTo("arm.html").toStdString());
   std::filesystem::create_symlink(open_session, pathTo("arm.zip").toStdString());
@@ -207,24 +219,22 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
   QString package_failed;
   QObject::connect(&files, &ResultFiles::packageFailed, &files,
                    [&](const QString& message) { package_failed = message; });
-  const std::pair<QString, std::function<void(const QString&)>> ways[] = {
-      {pathTo("arm.hexo"),
-       [&](const QString& path) {
-         files.exportTo({std::nullopt, path, {}});
-       }},
-      {pathTo("arm.html"),
-       [&](const QString& path) {
-         files.exportTo({ExportFormat::Stl, path, {}});
-       }},
-      {pathTo("arm.zip"), [&](const QString& path) { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); }},
-      {pathTo("arm.html"), [&](const QString& path) { files.savePicture([] { return true; }, path); }},
-      {pathTo("arm.zip"), [&](const QString& path) { files.saveTable("a,b", path); }},
-      {pathTo("arm.html"), [&](const QString& path) { files.writeReport(report, path); }},
+  using Write = std::function<void(const QString& path)>;
+  const auto exported = [&files](std::optional<ExportFormat> format) -> Write {
+    return [&files, format](const QString& path) { files.exportTo({format, path, {}}); };
   };
-  for (const auto& [path, write] : ways) {
-    write(path);
-    ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString();
-    EXPECT_THAT(message(), HasText(path));
+  const std::pair<const char*, Write> ways[] = {
+      {"arm.hexo", exported(std::nullopt)},
+      {"arm.html", exported(ExportFormat::Stl)},
+      {"arm.zip", [&](const QString& path) { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); }},
+      {"arm.html", [&](const QString& path) { files.savePicture([] { return true; }, path); }},
+      {"arm.zip", [&](const QString& path) { files.saveTable("a,b", path); }},
+      {"arm.html", [&](const QString& path) { files.writeReport(report, path); }},
+  };
+  for (const auto& [name, write] : ways) {
+    write(pathTo(name));
+    ASSERT_TRUE(waitForMessage("never replaced")) << name;
+    EXPECT_THAT(message(), HasText(pathTo(name)));
     closeMessage();
   }
   PackageRequest package;
@@ -238,7 +248,6 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
 }
 
 TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ResultFiles& files = controller().resultFiles();
   const QString calibration = pathTo("arm.calibration.json");
   files.exportTo({std::nullopt, calibration, {}});
@@ -251,12 +260,12 @@ TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
   for (const QString& path : {calibration, session}) {
     ASSERT_NO_FATAL_FAILURE(openFile(path));
     const QByteArray before = contentOf(path);
-    files.exportTo({ExportFormat::Ply, path, {}});
-    ASSERT_TRUE(waitForMessage("is one of the inputs"));
-    closeMessage();
-    files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
-    ASSERT_TRUE(waitForMessage("is one of the inputs"));
-    closeMessage();
+    for (const bool is_picture : {false, true}) {
+      if (is_picture) files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
+      if (!is_picture) files.exportTo({ExportFormat::Ply, path, {}});
+      ASSERT_TRUE(waitForMessage("is one of the inputs"));
+      closeMessage();
+    }
     EXPECT_EQ(contentOf(path), before);
   }
   controller().file().saveSession(session);

@@ -12,6 +12,10 @@ namespace {
 
 class WindowPackageTest : public KeyboardTest {
  protected:
+  void SetUp() override {
+    KeyboardTest::SetUp();
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+  }
   static void choosePackage(QDialog* dialog) { dialog->findChild<QTabBar*>("exportKinds")->setCurrentIndex(1); }
   static void tick(QDialog* dialog, const QStringList& names) {
     auto* list = dialog->findChild<QListWidget*>("packageFormats");
@@ -53,7 +57,6 @@ class WindowPackageTest : public KeyboardTest {
 };
 
 TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   QDialog* dialog = openExportDialog();
   choosePackage(dialog);
   tick(dialog, {"URDF", "Calibration"});
@@ -77,8 +80,7 @@ TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
   keepPicture(written->grab().toImage(), "package-written");
 }
 
-TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+TEST_F(WindowPackageTest, ThatIsCancelledOrFindsAFullDiskLeavesNothing) {
   const QStringList before = filesIn(".");
   for (const char* name : {"out", "arm.zip"}) {
     // The thread for files is kept busy until the operator has pressed the button.
@@ -98,11 +100,6 @@ TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
     EXPECT_FALSE(controller().work().isWriting());
     EXPECT_EQ(filesIn("."), before) << name;
   }
-}
-
-TEST_F(WindowPackageTest, OnAFullDiskSaysSoAndLeavesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  const QStringList before = filesIn(".");
   const test::NoFileGrows full;
   ASSERT_NO_FATAL_FAILURE(exportPackage({"CSV", "PLY"}, pathTo("arm.zip")));
   auto* writing = waitForDialog("packageDialog");
@@ -115,7 +112,6 @@ TEST_F(WindowPackageTest, OnAFullDiskSaysSoAndLeavesNothing) {
 }
 
 TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ASSERT_NO_FATAL_FAILURE(exportPackage({"PLY", "TF-YAML"}, pathTo("arm.zip")));
   QDialog* written = waitUntilWritten();
   QTest::keyClick(written, Qt::Key_Escape);
@@ -134,7 +130,6 @@ TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
 }
 
 TEST_F(WindowPackageTest, IsMadeByTheKeyboardAlone) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   QDialog* dialog = openExportDialog();
   const auto* button = dialog->findChild<QPushButton*>("exportButton");
   ASSERT_NO_FATAL_FAILURE(tabTo("exportKinds"));
