@@ -1,5 +1,6 @@
 #include "hexoderm/base/se3.h"
 #include "tests/support/picture_counter.h"
+#include "tests/support/picture_difference.h"
 #include "tests/support/random_vector.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/scene/part_camera.h"
@@ -103,13 +104,7 @@ TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
   for (int k = 1; k <= 12; ++k) turnTo(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
   EXPECT_NE(view.screenshot(), before);
   for (int k = 11; k >= 0; --k) turnTo(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
-  const QImage after = view.screenshot();
-  std::size_t other = 0;
-  for (int y = 0; y < after.height(); ++y) {
-    for (int x = 0; x < after.width(); ++x)
-      other += std::abs(qGray(after.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
-  }
-  EXPECT_LT(other, 200U) << "pixels";
+  EXPECT_LT(differingShare(view.screenshot(), before, 24) * before.width() * before.height(), 200) << "pixels";
 }
 
 TEST_F(PartMotionTest, TheGhostComesAndGoes) {
@@ -137,13 +132,8 @@ TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
     const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
     const int middle = ghost.height() - static_cast<int>((place[1] + place[3]) / 2);
     const int from = static_cast<int>(place[0] + 0.05 * (place[2] - place[0]));
-    int changed = 0;
-    for (int x = from; x < from + 10; ++x) {
-      for (int y = middle - 4; y <= middle + 4; ++y) {
-        changed += std::abs(qGray(ghost.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
-      }
-    }
-    return changed;
+    constexpr int kPixels = 10 * 9;
+    return kPixels * differingShare(ghost, before, 24, QRect(from, middle - 4, 10, 9));
   };
   EXPECT_GT(changedAtTheLeftEnd(Eigen::Vector3d::UnitZ()), 5);
   const Eigen::Vector3d nearly_there = expSO3(5 * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY();

@@ -62,7 +62,7 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
 }
 
 TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
-  constexpr PixelArea kMiddle{kWidth / 4, kHeight / 4, 3 * kWidth / 4, 3 * kHeight / 4};
+  constexpr QRect kMiddle(kWidth / 4, kHeight / 4, kWidth / 2, kHeight / 2);
   // From right in front and right behind, where the light is the same.
   scene.setReconstruction(shared(sheetReconstruction(5, 4)));
   scene.setShown(SceneItem::Ports, false);
