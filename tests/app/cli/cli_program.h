@@ -7,6 +7,7 @@
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
+#include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
@@ -28,6 +29,11 @@ struct Outcome {
   std::string err;
 };
 
+/// Of nine numbers, row by row.
+inline Eigen::Matrix3d matrixOf(const nlohmann::json& numbers) {
+  const auto R = numbers.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
+}
 class Cli : public ::testing::Test {
  protected:
   /// `before`: what the shell is to run in front of the program, for example "sender | ".

@@ -5,6 +5,7 @@
 
 #include "tests/app/cli/cli_program.h"
 #include "tests/app/cli/listed_options.h"
+#include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 
 #include <gmock/gmock.h>
@@ -14,7 +15,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <thread>
 #include <vector>
 
 namespace hexoderm {
@@ -107,46 +107,37 @@ TEST_F(CliOutputs, EveryOptionIsKnownAsAnInputAnOutputOrAWord) {
   EXPECT_EQ(words, kWords) << "a file that is read (kInput), one that is written (kOutput), or a word?";
 }
 
-TEST_F(CliOutputs, NoneIsAnInput) {
-  std::size_t tried = 0;
-  for (const std::string& command : commands()) {
-    const std::vector<Option> options = optionsIn(run(command + " --help").out);
-    for (const Option& output : options) {
-      if (output.type != "OUTPUT") continue;
-      ASSERT_TRUE(kNeeded.contains(command)) << command << ' ' << output.name;
-      for (const Option& input : options) {
-        if (input.type != "FILE") continue;
-        ++tried;
-        expectRefused(argumentsFor(command, {{input.name, "arm.session.json"}, {output.name, "./arm.session.json"}}), 2,
-                      {"./arm.session.json", output.name == "--output" ? "-o" : output.name, "is one of the inputs"});
-      }
-    }
-  }
-  EXPECT_GE(tried, 15U);
-}
-
-TEST_F(CliOutputs, NoneIsASession) {
+TEST_F(CliOutputs, NoneIsAnInputOrASession) {
   fs::create_directory(path("sub"));
   fs::copy_file(path("arm.hexo"), path("named.session.json"));
   fs::create_hard_link(path("arm.hexo"), path("hard.calibration.json"));
   fs::create_symlink("arm.hexo", path("soft.json"));
   fs::create_symlink("../arm.hexo", path("sub/soft.hexo"));
-  std::size_t tried = 0;
+  const std::string names[] = {
+      "arm.hexo",      path("arm.hexo"), "sub/../named.session.json", "hard.calibration.json", "soft.json",
+      "sub/soft.hexo", "arm.hexo-wal"};
+  std::size_t inputs = 0;
+  std::size_t outputs = 0;
   for (const std::string& command : commands()) {
-    for (const Option& output : optionsIn(run(command + " --help").out)) {
+    const std::vector<Option> options = optionsIn(run(command + " --help").out);
+    for (const Option& output : options) {
       if (output.type != "OUTPUT") continue;
+      ++outputs;
       ASSERT_TRUE(kNeeded.contains(command)) << command << ' ' << output.name;
-      for (const std::string& name :
-           {std::string("arm.hexo"), path("arm.hexo"), std::string("sub/../named.session.json"),
-            std::string("hard.calibration.json"), std::string("soft.json"), std::string("sub/soft.hexo"),
-            std::string("arm.hexo-wal")}) {
-        ++tried;
-        expectRefused(argumentsFor(command, {{output.name, name}}), 5,
-                      {name, output.name == "--output" ? "-o" : output.name, "never replaced"});
+      const std::string said = output.name == "--output" ? "-o" : output.name;
+      for (const Option& input : options) {
+        if (input.type != "FILE") continue;
+        ++inputs;
+        expectRefused(argumentsFor(command, {{input.name, "arm.session.json"}, {output.name, "./arm.session.json"}}), 2,
+                      {"./arm.session.json", said, "is one of the inputs"});
+      }
+      for (const std::string& name : names) {
+        expectRefused(argumentsFor(command, {{output.name, name}}), 5, {name, said, "never replaced"});
       }
     }
   }
-  EXPECT_GE(tried, 11U * 7U);
+  EXPECT_GE(inputs, 15U);
+  EXPECT_GE(outputs, 11U);
 }
 
 TEST_F(CliOutputs, AnInputThatIsASessionStaysToo) {
@@ -156,6 +147,27 @@ TEST_F(CliOutputs, AnInputThatIsASessionStaysToo) {
     expectRefused("convert arm.hexo -o " + name, 5, {"-o " + name});
     expectRefused("sensors arm.session.json arm.hexo -o " + name, 5, {"-o " + name});
   }
+}
+
+TEST_F(CliOutputs, ASessionIsNotMadeBesideTheLogOfAnother) {
+  std::ofstream(path("notes.hexo-wal")) << "somebody's notes";
+  for (const std::string command : {"convert arm.session.json", "simulate --poses 2"}) {
+    expectRefused(command + " -o notes.hexo", 5, {"notes.hexo", "-wal lies beside it"});
+  }
+}
+
+TEST_F(CliOutputs, NothingIsWrittenInThePlaceOfASessionThatAnotherProcessCapturesInto) {
+  test::ChildProcess capture(
+      {program_, "capture", "--source", "sim:x17?speed=20", "--auto", "--poses", "6", "-o", "live.hexo"},
+      folder_.path().string(), test::ChildProcess::Stream::Read, test::ChildProcess::Stream::Read);
+  capture.waitForError("Pose 1 captured");
+  for (const std::string name : {"live.hexo", "live.hexo-wal", "live.hexo-shm"}) {
+    EXPECT_NE(run("solve arm.session.json -o " + name).exit_code, 0) << name;
+    EXPECT_NE(run("export arm.calibration.json --to urdf -o " + name).exit_code, 0) << name;
+  }
+  capture.waitForOutput("6 poses of 17 cells");
+  EXPECT_LE(capture.wait().value_or(-1), 1);
+  EXPECT_EQ(readSessionStore(path("live.hexo")).poses().size(), 6U);
 }
 
 TEST_F(CliOutputs, EarlierOutputsAreReplaced) {
@@ -202,24 +214,20 @@ TEST_F(CliOutputs, WhatIsWrittenBesideASimulatedRobotReplacesNoSession) {
   }
 }
 
-TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItself) {
+TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItselfWhichMayBeStandardInput) {
   ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 4 --record arm.skinrec -o first.hexo").exit_code, 0);
   fs::create_hard_link(path("arm.skinrec"), path("hard.skinrec"));
   for (const std::string name : {"arm.skinrec", "./arm.skinrec", "hard.skinrec"}) {
     expectRefused("capture --source 'replay:arm.skinrec?speed=max' --record " + name + " -o second.hexo", 2,
                   {"--record " + name, "is one of the inputs"});
   }
-}
-
-TEST_F(CliOutputs, StandardInputIsAnInput) {
-  ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 3 --record arm.skinrec -o first.hexo").exit_code, 0);
   const auto before = contents();
   EXPECT_THAT(errorOf("capture --source stdin --record arm.skinrec -o second.hexo <arm.skinrec", 2),
               AllOf(HasSubstr("--record arm.skinrec"), HasSubstr("is one of the inputs")));
   EXPECT_TRUE(contents() == before);
 }
 
-TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
+TEST_F(CliOutputs, NoFileIsWrittenByTwoOptionsAndNoneBesideARobotToStandardOutput) {
   for (const std::string arguments :
        {"simulate --robot demo --poses 2 -o a.session.json --joints a.session.json",
         "simulate --robot demo --poses 2 -o a.session.json --truth ./a.session.json",
@@ -230,20 +238,18 @@ TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
         "capture --source sim:x17 --auto --poses 2 -o live.hexo --record live.hexo-wal"}) {
     expectRefused(arguments, 2, {"which another option writes"});
   }
-}
-
-TEST_F(CliOutputs, FilesBesideASimulatedRobotAreNotStandardOutput) {
   for (const std::string option : {"--joints", "--truth"}) {
     expectRefused("simulate --robot demo --poses 2 -o a.session.json " + option + " -", 2, {option, "name of a file"});
   }
 }
 
-TEST_F(CliOutputs, TwoCalibrationsOfABatchAreNotOneFile) {
+TEST_F(CliOutputs, TwoCalibrationsOfABatchAreNotOneFileNorIsAFileTheirFolder) {
   fs::create_directory(path("out"));
   std::ofstream(path("out/arm.calibration.json")) << "earlier";
   fs::create_symlink("arm.calibration.json", path("out/leg.calibration.json"));
   fs::copy_file(path("arm.session.json"), path("leg.session.json"));
   expectRefused("solve arm.session.json leg.session.json -o out", 2, {"leg.calibration.json", "collides with"});
+  expectRefused("solve arm.session.json -o arm.session.json/", 2, {"expected a folder", "arm.session.json"});
 }
 
 TEST_F(CliOutputs, ARecordingStaysUntilASkinHasDescribedItself) {
@@ -282,10 +288,6 @@ TEST_F(CliOutputs, AnInputIsNotTakenForLeftBehind) {
   fs::copy_file(path("arm.session.json"), path(hidden));
   EXPECT_EQ(run("solve " + hidden + " -o other.calibration.json").exit_code, 0);
   EXPECT_TRUE(exists(hidden));
-}
-
-TEST_F(CliOutputs, AFileIsNoFolderForCalibrations) {
-  expectRefused("solve arm.session.json -o arm.session.json/", 2, {"expected a folder", "arm.session.json"});
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // `hexoderm-cli parts`: which patches of a simulated robot move together.
 
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "tests/app/cli/cli_program.h"
 
 #include <gmock/gmock.h>
@@ -23,6 +25,15 @@ class CliParts : public Cli {
             std::to_string(poses) + " " + options + " -o arm.session.json");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
+  /// Of a cell on its link.
+  [[nodiscard]] Eigen::Matrix3d trueRotation(int id) const {
+    for (const auto& patch : nlohmann::json::parse(readFile(path("arm.truth.json"))).at("patches")) {
+      for (const auto& cell : patch.at("cells")) {
+        if (cell.at("id") == id) return matrixOf(cell.at("R"));
+      }
+    }
+    throw std::logic_error("no such cell in the truth");
+  }
 };
 
 TEST_F(CliParts, GroupsThePatchesOfALinkAndFindsTheElbow) {
@@ -35,7 +46,17 @@ TEST_F(CliParts, GroupsThePatchesOfALinkAndFindsTheElbow) {
   ASSERT_EQ(json.at("parts").size(), 2U);
   EXPECT_EQ(json.at("pairs").size(), 3U);
   EXPECT_THAT(json.at("not_compared"), IsEmpty());
-  for (const auto& patch : json.at("parts").at(0).at("patches")) EXPECT_LE(patch.at("origin").get<int>(), 2 * 17);
+  const auto& upper_arm = json.at("parts").at(0);
+  ASSERT_EQ(upper_arm.at("patches").size(), 2U);
+  for (const auto& patch : upper_arm.at("patches")) EXPECT_LE(patch.at("origin").get<int>(), 2 * 17);
+  const auto& second = upper_arm.at("patches").at(1);
+  const auto q = second.at("q_part_o_wxyz").get<std::array<double, 4>>();
+  const Eigen::Matrix3d R_part_o = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Eigen::Matrix3d off =
+      trueRotation(upper_arm.at("frame_of_cell")) * R_part_o * trueRotation(second.at("origin")).transpose();
+  const double sigma_deg = second.at("sigma_deg").get<double>();
+  EXPECT_LT(sigma_deg, 10);
+  EXPECT_LT(rotationAngle(off), 3 * sigma_deg * kDegree);
   ASSERT_EQ(json.at("relations").size(), 1U);
   EXPECT_EQ(json.at("relations").at(0).at("movement"), "apart");
   EXPECT_EQ(json.at("relations").at(0).at("hinge").at("knowledge"), "found");

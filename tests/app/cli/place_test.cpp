@@ -18,11 +18,6 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-/// Of nine numbers, row by row.
-Eigen::Matrix3d matrixOf(const nlohmann::json& numbers) {
-  const auto R = numbers.get<std::vector<double>>();
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
-}
 Eigen::Vector3d vectorOf(const nlohmann::json& numbers) {
   const auto t = numbers.get<std::vector<double>>();
   return {t.at(0), t.at(1), t.at(2)};
@@ -115,6 +110,7 @@ TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
   const auto& turn = links["patches"][0]["placed"];
   const auto q = turn["q_l_o_wxyz"].get<std::vector<double>>();
   const Eigen::Matrix3d R_links = Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3)).toRotationMatrix();
+  EXPECT_LT(rotationAngle(R_links.transpose() * T_l_o_.R), 4 * turn["sigma_deg"].get<double>() * kDegree);
   const auto by_point = nlohmann::json::parse(run(place + " --rotation links --no-surface" + point()).out);
   const auto& alone = by_point["candidates"][0]["patches"][0];
   EXPECT_LT(rotationAngle(R_links.transpose() * matrixOf(alone["R"])), 1e-4);
