@@ -57,8 +57,8 @@ TEST_F(WindowInspectTest, OneKeyLeadsToTheWorstCellItsMetricsAndItsNeighbours) {
   const std::vector<CellId> worst = worstCells(result);
   ASSERT_FALSE(worst.empty());
   // The verdict names it.
-  EXPECT_TRUE(labelText("bannerSentence").contains(QString::number(worst.front().value())));
-  EXPECT_TRUE(labelText("bannerSentence").contains("worst"));
+  EXPECT_THAT(labelText("bannerSentence"),
+              testing::AllOf(HasText("worst"), HasText(QString::number(worst.front().value()))));
   const Eigen::Vector3d before = cameraAt();
   press(Qt::Key_W);
   EXPECT_EQ(picked(), worst.front());
@@ -135,19 +135,14 @@ TEST_F(WindowInspectTest, WhatCanBeDoneAboutALinkIsDoneFromItsCard) {
   press(Qt::Key_4, Qt::ControlModifier);
   auto* cards = find<FindingCards>("reviewFindings");
   ASSERT_TRUE(waitUntil([&] { return cards->isVisible(); }));
-  const auto remedyOf = [&](const QString& text) -> QPushButton* {
-    for (FindingCard* card : cards->cards()) {
-      for (auto* button : card->findChildren<QPushButton*>()) {
-        if (button->text() == text && card->isVisible()) return button;
-      }
-    }
-    return nullptr;
-  };
-  ASSERT_NE(remedyOf("Set link aside"), nullptr);
+  const auto buttons = cards->findChildren<QPushButton*>();
+  const auto remedy =
+      std::ranges::find_if(buttons, [](const QPushButton* each) { return each->text() == "Set link aside"; });
+  ASSERT_NE(remedy, buttons.end());
   const auto muted = [&] { return controller().session()->mutedLinks().size(); };
   const std::size_t before = muted();
   for (FindingCard* card : cards->cards()) card->setUnfolded(true);
-  click(remedyOf("Set link aside"));
+  click(*remedy);
   EXPECT_EQ(muted(), before + 1);
   EXPECT_TRUE(window_->selection().link());
   ASSERT_TRUE(waitUntilIdle());

@@ -123,15 +123,6 @@ TEST_F(WindowLayoutTest, AfterTheChecksTheTabInFrontIsInFrontAgain) {
   }
 }
 
-TEST_F(WindowLayoutTest, WhereThereIsLittleRoomTheFindingsHaveItAll) {
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
-  const auto* card = find<QWidget>("findingsCard");
-  window_->resize(1440, 900);
-  ASSERT_TRUE(waitUntil([&] { return card->isVisible(); }));
-  window_->resize(1024, 768);
-  EXPECT_TRUE(waitUntil([&] { return !card->isVisible(); }));
-}
-
 TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlace) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   action("actionResetLayout")->trigger();
@@ -166,6 +157,12 @@ TEST_F(WindowLayoutTest, TablesShowEightRowsAtTheFirstStart) {
     test::letTurnsPass();
     EXPECT_GE(rowsSeen(views[page]), 8) << views[page];
   }
+  // Where there is little room, the findings have it all.
+  tabs->setCurrentIndex(0);
+  const auto* card = find<QWidget>("findingsCard");
+  ASSERT_TRUE(waitUntil([&] { return card->isVisible(); }));
+  window_->resize(1024, 768);
+  EXPECT_TRUE(waitUntil([&] { return !card->isVisible(); }));
 }
 
 /// Language and size of the text; sizes that everything must fit into.
@@ -238,6 +235,14 @@ TEST_F(WindowLayoutTest, ALostDeviceIsUnmistakableAndSaysWhatToCheck) {
   EXPECT_EQ(places(), before) << "the strip lies over the content";
   EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
   keepPicture(window_->picture(), "lost-device");
+  device.plugIn();
+  ASSERT_NO_FATAL_FAILURE(device.accept());
+  device.introduce();
+  ASSERT_TRUE(waitUntil([this] { return !middleMark(); }));
+  device.hold(3, Eigen::Vector3d::UnitX());
+  ASSERT_TRUE(waitForPoses(2)) << "the work goes on";
+  device.unplug();
+  ASSERT_TRUE(waitUntil([this] { return middleMark().has_value(); }));
   action("actionDisconnect")->trigger();
   EXPECT_TRUE(waitUntil([this] { return !middleMark(); }));
 }
@@ -271,9 +276,7 @@ class LongSolveTest : public WindowLayoutTest {
   void SetUp() override {
     WindowLayoutTest::SetUp();
     controller().setSolve(held_.solve());
-    ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-    controller().liveSession().disconnectSource();
-    ASSERT_TRUE(waitUntilIdle());
+    ASSERT_NO_FATAL_FAILURE(restWithDemoPoses(2));
   }
   void TearDown() override {
     held_.setFree(true);

@@ -1,6 +1,7 @@
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/changed_session.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/patch/patch_view.h"
 
@@ -145,15 +146,10 @@ TEST_F(WindowLiveTest, LossesAndSilenceOfADeviceAreSaid) {
 }
 
 TEST_F(WindowLiveTest, APoseThatLacksReadingsIsTakenAgainByTheButtonOnTop) {
-  const Session whole = simulated(5, {}, 100);
-  Session session(whole.model(), whole.neighbors());
-  for (const SessionPose& pose : whole.poses()) {
-    auto capture = std::make_shared<PoseCapture>(*pose.capture);
-    const bool is_last = session.poses().size() + 1 == whole.poses().size();
-    if (!is_last) std::erase_if(capture->samples, [](const GravitySample& s) { return s.cell == CellId(7); });
-    session.addPose({std::move(capture), false});
-  }
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", session));
+  const auto without_7 = [](std::size_t pose, PoseCapture& capture) {
+    if (pose < 4) std::erase_if(capture.samples, [](const GravitySample& s) { return s.cell == CellId(7); });
+  };
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", withCaptures(simulated(5, {}, 100), without_7)));
   const Assessment& assessment = controller().reconstruction()->assessment;
   ASSERT_EQ(assessment.remedy, Remedy::RetakePoses) << assessment.reason.english();
   ASSERT_EQ(assessment.retake.front(), PoseId(1));
@@ -210,6 +206,18 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   EXPECT_EQ(controller().session()->poses()[1].capture->id, PoseId(2));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
+}
+
+TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
+  const QString path = pathTo("later/arm.hexo");
+  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
+  ASSERT_TRUE(waitForMessage("arm.hexo"));
+  EXPECT_EQ(labelText("savedStatus"), "not on disk");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
+  click(find<QPushButton>("messageButton"));
+  ASSERT_TRUE(waitForMessage("Saved to " + path));
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
+  EXPECT_EQ(read(path).poses().size(), 1U);
 }
 
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {

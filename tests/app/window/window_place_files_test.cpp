@@ -92,12 +92,14 @@ TEST_F(WindowPlaceTest, ARobotThatCannotBeReadIsSaidAndTheOneBeforeStays) {
   EXPECT_FALSE(stand().link.isEmpty());
 }
 
-TEST_F(WindowPlaceTest, ARobotWithoutItsMeshesIsOfUseForLinksAndSaysWhatIsMissing) {
+TEST_F(WindowPlaceTest, ARobotWhoseMeshesAreMissingOrHostileIsOfUseForLinksAndSaysWhatIsWrong) {
   ASSERT_NO_FATAL_FAILURE(openSession());
-  ASSERT_NO_FATAL_FAILURE(chooseRobot(writeFile("bare.urdf", robotText().toUtf8())));
+  QString text = robotText();
+  text.replace("meshes/forearm.obj", HEXODERM_TEST_DATA "/../fuzz/corpus/mesh/selfnode.dae");
+  ASSERT_NO_FATAL_FAILURE(chooseRobot(writeFile("bare.urdf", text.toUtf8())));
   EXPECT_TRUE(stand().has_robot);
   EXPECT_EQ(stand().robot.tone, Tone::Bad);
-  EXPECT_THAT(stand().robot.text.toStdString(), AllOf(HasSubstr("forearm.obj"), HasSubstr("upper_arm.obj")));
+  EXPECT_THAT(stand().robot.text.toStdString(), AllOf(HasSubstr("selfnode.dae"), HasSubstr("upper_arm.obj")));
   ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("arm.csv")));
   EXPECT_FALSE(stand().link.isEmpty()) << stand().link_says.text.toStdString();
   EXPECT_FALSE(stand().has_surface);

@@ -99,6 +99,14 @@ TEST_F(WindowUndoTest, APoseThatIsDisabledEnabledAgainOrDeletedWhileItIsDisabled
   toggle();
   ASSERT_TRUE(waitUntilKept());
   expectUndoAndRedo([this] { press(Qt::Key_Delete, Qt::ShiftModifier); }, "delete pose 2");
+  // What was undone is gone when something else is done.
+  undo();
+  ASSERT_TRUE(waitUntilKept());
+  ASSERT_NO_FATAL_FAILURE(pickPose(2));
+  toggle();
+  const State last = now();
+  redo();
+  ASSERT_NO_FATAL_FAILURE(expectAllAre(last, "nothing to redo"));
 }
 
 TEST_F(WindowUndoTest, ALinkThatIsSetAsideAndOneThatIsTakenBackWithTheReasonThatItWasSetAsideFor) {
@@ -113,23 +121,16 @@ TEST_F(WindowUndoTest, ALinkThatIsSetAsideAndOneThatIsTakenBackWithTheReasonThat
   expectUndoAndRedo(mute, "back");
 }
 
-class WindowUndoOfCapturesTest : public WindowUndoTest {
- protected:
-  void connectSkin() {
-    window_->connectTo({"sim:x17?speed=20", path_, false});
-    ASSERT_TRUE(waitForPoses(1));
-    controller().liveSession().setAutomatic(false);
-    ASSERT_TRUE(waitUntilKept());
-  }
-  void capture(std::size_t expected) {
+TEST_F(WindowUndoTest, APoseThatIsTakenAndOneThatIsTakenAgainInOneStep) {
+  window_->connectTo({"sim:x17?speed=20", path_, false});
+  ASSERT_TRUE(waitForPoses(1));
+  controller().liveSession().setAutomatic(false);
+  ASSERT_TRUE(waitUntilKept());
+  const auto capture = [this] {
     press(Qt::Key_Space);
-    ASSERT_TRUE(waitForPoses(expected));
-  }
-};
-
-TEST_F(WindowUndoOfCapturesTest, APoseThatIsTakenAndOneThatIsTakenAgainInOneStep) {
-  ASSERT_NO_FATAL_FAILURE(connectSkin());
-  expectUndoAndRedo([this] { capture(2); }, "take pose 2");
+    ASSERT_TRUE(waitForPoses(2));
+  };
+  expectUndoAndRedo(capture, "take pose 2");
   const int steps = controller().undoStack()->count();
   expectUndoAndRedo(
       [this] {
