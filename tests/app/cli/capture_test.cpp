@@ -3,18 +3,9 @@
 #include "hexoderm/session/session_store.h"
 
 #include "tests/app/cli/cli_program.h"
-#include "tests/support/paths.h"
-
-#include <gmock/gmock.h>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 class CliCapture : public Cli {};
 
@@ -69,8 +60,7 @@ TEST_F(CliCapture, SaysThatADeviceSendsNoReadings) {
   const Outcome outcome = run("capture --source stdin -o silent.hexo", silent);
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
   // Without a terminal too.
-  EXPECT_THAT(outcome.err,
-              testing::ContainsRegex("No readings for [0-9]+ s. stdin: connected to test: the topics are empty"));
+  EXPECT_THAT(outcome.err, ContainsRegex("No readings for [0-9]+ s. stdin: connected to test: the topics are empty"));
   EXPECT_THAT(outcome.out, HasSubstr("No pose was captured: no readings came."));
 }
 

@@ -6,7 +6,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
@@ -16,12 +16,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <map>
-#include <string>
-#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 struct Outcome {
   int exit_code = -1;

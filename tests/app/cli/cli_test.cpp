@@ -1,30 +1,16 @@
 // The real program, run as a user would: what it prints, what it leaves, what it ends with.
 
-#include "hexoderm/base/file.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/session/session_store.h"
 
 #include "tests/app/cli/cli_program.h"
-#include "tests/support/paths.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
 #include <sstream>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 TEST_F(Cli, WholeWayFromASimulatedSkinToAnExport) {
   EXPECT_EQ(run("simulate --poses 3 --seed 4 -o arm.session.json").exit_code, 0);

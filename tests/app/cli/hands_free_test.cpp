@@ -3,10 +3,6 @@
 #include "tests/app/cli/cli_program.h"
 #include "tests/app/emulator/emulator_program.h"
 
-#include <gmock/gmock.h>
-
-#include <nlohmann/json.hpp>
-
 namespace hexoderm {
 namespace {
 
@@ -25,8 +21,8 @@ TEST_P(HandsFree, AnEmulatedSkinIsExploredCapturedAndSolved) {
   EXPECT_EQ(json.at("cells"), 31);
   EXPECT_EQ(json.at("poses"), 4);
   EXPECT_EQ(json.at("rejected_messages"), 0);
-  EXPECT_THAT(capture.err, testing::AllOf(testing::HasSubstr("Pose 1 captured: 31 cells"),
-                                          testing::HasSubstr("Next: Turn the part so that cell")));
+  EXPECT_THAT(capture.err,
+              AllOf(HasSubstr("Pose 1 captured: 31 cells"), HasSubstr("Next: Turn the part so that cell")));
   ASSERT_EQ(run("solve arm.hexo -o arm.calibration.json").exit_code, 0);
   ASSERT_EQ(run("simulate --patch ring31 --seed 3 --poses 0 -o truth.session.json").exit_code, 0);
   const auto against = jsonOf("evaluate arm.calibration.json --against truth.session.json --json").at("against").at(0);

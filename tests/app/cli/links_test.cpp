@@ -2,14 +2,8 @@
 
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 class CliLinks : public Cli {
  protected:

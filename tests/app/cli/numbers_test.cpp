@@ -4,18 +4,8 @@
 #include "tests/app/cli/cli_program.h"
 #include "tests/app/cli/listed_options.h"
 
-#include <gmock/gmock.h>
-
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::HasSubstr;
 
 class CliNumbers : public Cli {
  protected:

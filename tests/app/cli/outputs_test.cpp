@@ -6,22 +6,11 @@
 #include "tests/app/cli/cli_program.h"
 #include "tests/app/cli/listed_options.h"
 #include "tests/support/child_process.h"
-#include "tests/support/paths.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <fstream>
-#include <map>
 #include <set>
-#include <sstream>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 namespace fs = std::filesystem;
 

@@ -4,15 +4,8 @@
 #include "hexoderm/base/units.h"
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class CliParts : public Cli {
  protected:
@@ -68,7 +61,7 @@ TEST_F(CliParts, TooFewPosesCantTellAndSayWhatWould) {
   const auto json = nlohmann::json::parse(run("parts arm.session.json --json").out);
   for (const auto& relation : json.at("relations")) {
     EXPECT_EQ(relation.at("movement"), "cant_tell");
-    EXPECT_THAT(relation.at("what_would_tell").get<std::string>(), ::testing::Not(IsEmpty()));
+    EXPECT_THAT(relation.at("what_would_tell").get<std::string>(), Not(IsEmpty()));
     EXPECT_TRUE(relation.at("hinge").is_null());
   }
 }

@@ -1,22 +1,12 @@
 // `hexoderm-cli place`: where on a link a patch lies, and what export makes of it.
 
-#include "hexoderm/base/file.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
-#include <string>
-#include <vector>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 Eigen::Vector3d vectorOf(const nlohmann::json& numbers) {
   const auto t = numbers.get<std::vector<double>>();
@@ -81,7 +71,7 @@ TEST_F(CliPlace, ExportTakesThePlacesThatTheCalibrationHolds) {
   EXPECT_THAT(readFile(path("placed.urdf")), HasSubstr("\"forearm\""));
   // What is said on the command line counts instead.
   EXPECT_EQ(run("export placed.calibration.json --to urdf --place hand:0,0,0.1,0,0,0 -o hand.urdf").exit_code, 0);
-  EXPECT_THAT(readFile(path("hand.urdf")), AllOf(HasSubstr("\"hand\""), testing::Not(HasSubstr("\"forearm\""))));
+  EXPECT_THAT(readFile(path("hand.urdf")), AllOf(HasSubstr("\"hand\""), Not(HasSubstr("\"forearm\""))));
 }
 
 TEST_F(CliPlace, PrintsEveryCellInTheFrameOfTheLinkAsJson) {

@@ -7,15 +7,9 @@
 #include "hexoderm/session/store_version.h"
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-
-#include <string>
-#include <vector>
-
 namespace hexoderm {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 
 TEST_F(Cli, VersionSaysCommitFormatsAndLibraries) {

@@ -5,15 +5,9 @@
 
 #include "tests/app/emulator/emulator_program.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <condition_variable>
 #include <iostream>
-#include <mutex>
-#include <optional>
 
 namespace hexoderm {
 namespace {

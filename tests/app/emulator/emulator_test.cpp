@@ -8,24 +8,12 @@
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/core/device/sources/wire_host.h"
 
-#include <fcntl.h>
 #include <netinet/in.h>
-#include <poll.h>
-#include <signal.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {

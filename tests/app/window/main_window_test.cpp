@@ -94,7 +94,7 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndEverythingIsUndone) {
   ASSERT_TRUE(waitForMessage("Pose 1 captured"));
   EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); }))
       << "there is nothing to call off any more: " << message().toStdString();
-  EXPECT_THAT(message(), testing::Not(HasText("repeats pose 1")));
+  EXPECT_THAT(message(), Not(HasText("repeats pose 1")));
   for (int k = 0; k < 3; ++k) press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(0));
   EXPECT_FALSE(action("actionUndo")->isEnabled());

@@ -126,7 +126,7 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("tables"));
   EXPECT_TRUE(patchOf()->isVisible());
   EXPECT_EQ(patchOf()->currentText(), "All, each in its own frame");
-  EXPECT_THAT(noteOf(), testing::Not(HasText("Not in the file")));
+  EXPECT_THAT(noteOf(), Not(HasText("Not in the file")));
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
   EXPECT_EQ(patchOf()->count(), 2) << "one frame, one patch";
   EXPECT_EQ(patchOf()->currentText(), "Patch of cell 2, 2 cells");
@@ -200,7 +200,7 @@ TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
     const test::NoFileGrows full;
     ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
     ASSERT_TRUE(waitForMessage("arm.ply"));
-    EXPECT_THAT(message(), testing::Not(HasText("Exported")));
+    EXPECT_THAT(message(), Not(HasText("Exported")));
   }
   EXPECT_EQ(contentOf(path), "what was there");
   EXPECT_EQ(QDir(folder_.path()).entryList({"*.ply*", ".*ply*"}, QDir::Files | QDir::Hidden), QStringList("arm.ply"))
@@ -283,7 +283,7 @@ TEST_F(WindowExportTest, ASkinWithoutCellsIsShownAndSaysWhatCanNotBeMadeOfIt) {
   EXPECT_FALSE(window_->picture().isNull());
   ASSERT_NO_FATAL_FAILURE(exportAs("STL", pathTo("empty.stl")));
   ASSERT_TRUE(waitForMessage("cell"));
-  EXPECT_THAT(message(), testing::Not(HasText("Exported")));
+  EXPECT_THAT(message(), Not(HasText("Exported")));
   EXPECT_FALSE(QFile::exists(pathTo("empty.stl")));
 }
 

@@ -57,8 +57,7 @@ TEST_F(WindowInspectTest, OneKeyLeadsToTheWorstCellItsMetricsAndItsNeighbours) {
   const std::vector<CellId> worst = worstCells(result);
   ASSERT_FALSE(worst.empty());
   // The verdict names it.
-  EXPECT_THAT(labelText("bannerSentence"),
-              testing::AllOf(HasText("worst"), HasText(QString::number(worst.front().value()))));
+  EXPECT_THAT(labelText("bannerSentence"), AllOf(HasText("worst"), HasText(QString::number(worst.front().value()))));
   const Eigen::Vector3d before = cameraAt();
   press(Qt::Key_W);
   EXPECT_EQ(picked(), worst.front());

@@ -9,8 +9,6 @@
 namespace hexoderm {
 namespace {
 
-using testing::ElementsAre;
-
 std::vector<std::uint32_t> poseIds(const Session& session) {
   std::vector<std::uint32_t> ids;
   for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());

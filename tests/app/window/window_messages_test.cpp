@@ -151,10 +151,10 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
   };
   EXPECT_EQ(because(1), "… Waiting: Nothing is connected and nothing is open yet.");
   for (int step = 2; step <= 7; ++step) {
-    EXPECT_THAT(because(step), testing::StartsWith("■ Blocked: ")) << step;
+    EXPECT_THAT(because(step), StartsWith("■ Blocked: ")) << step;
   }
   ASSERT_NO_FATAL_FAILURE(connectDevice());
-  EXPECT_THAT(because(1), testing::StartsWith("✓ Ready: "));
+  EXPECT_THAT(because(1), StartsWith("✓ Ready: "));
   EXPECT_EQ(because(2), "… Waiting: No readings have come yet.");
   EXPECT_EQ(because(3), "… Waiting: The first readings are on their way.");
   ASSERT_TRUE(waitUntilIdle());
@@ -166,11 +166,11 @@ TEST_F(WindowMessagesTest, StepsSayWhyTheyAreReadyOrBlocked) {
   EXPECT_EQ(because(3), "✓ Ready: The skin sends.");
   EXPECT_EQ(because(4), "✓ Ready: There is a result of 1 pose.");
   EXPECT_EQ(because(6), "✓ Ready: There is a result to place.");
-  EXPECT_THAT(because(7), testing::StartsWith("▲ Possible: ")) << "gravity along the sheet leaves open how it is bent";
+  EXPECT_THAT(because(7), StartsWith("▲ Possible: ")) << "gravity along the sheet leaves open how it is bent";
   device_.unplug();
   ASSERT_TRUE(waitUntil([&] { return because(3).find("■ Blocked: The skin does not send") == 0; })) << because(3);
-  EXPECT_THAT(because(1), testing::StartsWith("■ Blocked: "));
-  EXPECT_THAT(because(4), testing::StartsWith("✓ Ready: ")) << "what was captured can be reviewed";
+  EXPECT_THAT(because(1), StartsWith("■ Blocked: "));
+  EXPECT_THAT(because(4), StartsWith("✓ Ready: ")) << "what was captured can be reviewed";
 }
 
 TEST_F(WindowMessagesTest, ADeviceOfAnotherVersionIsSaidWithBothNumbersAndNotTriedAgain) {

@@ -7,8 +7,6 @@
 namespace hexoderm {
 namespace {
 
-using testing::HasSubstr;
-
 TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));

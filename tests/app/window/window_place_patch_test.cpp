@@ -6,8 +6,6 @@
 namespace hexoderm {
 namespace {
 
-using testing::HasSubstr;
-
 TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
   const std::string right = stand().link.toStdString();

@@ -7,8 +7,6 @@
 namespace hexoderm {
 namespace {
 
-using testing::HasSubstr;
-
 TEST_F(WindowPlaceTest, TwoPatchesArePlacedByTheKeyboardAndOnToTheRobotsUrdfWithTheSkinOnIt) {
   window_->openFile(pathTo("arm.session.json"));
   ASSERT_TRUE(waitForPoses(8));

@@ -70,7 +70,7 @@ TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) 
     EXPECT_THAT(labelText("liveText"), HasText("without.skinrec"));
     EXPECT_EQ(labelText("liveState"), "Ended");
     EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
-    EXPECT_THAT(labelText("bannerSentence"), testing::Not(HasText("Waiting")));
+    EXPECT_THAT(labelText("bannerSentence"), Not(HasText("Waiting")));
     EXPECT_THAT(labelText("bannerSentence"), HasText("without.skinrec"));
     EXPECT_EQ(bannerButton(), "Disconnect");
     keepPicture(window_->picture(), "recording-without-a-skin");

@@ -24,6 +24,12 @@
 
 namespace hexoderm {
 
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
 /// The real main window, driven with mouse and keyboard, in a world of its own: empty settings and a folder for files.
 class WindowTest : public testing::Test {
  protected:

@@ -212,7 +212,7 @@ TEST_F(WindowVerifyTest, OfASessionThatGoesOnTheNewestPosesAreChecked) {
   verification.setToday(today.snapshot());
   EXPECT_TRUE(running);
   ASSERT_TRUE(waitUntil([&] { return checked.has_value(); }));
-  EXPECT_THAT(checked->poses, testing::ElementsAre(PoseId(5), PoseId(6)));
+  EXPECT_THAT(checked->poses, ElementsAre(PoseId(5), PoseId(6)));
   const auto changeOf9 = [&] { return std::ranges::find(checked->cells, CellId(9), &CheckedCell::cell)->change; };
   EXPECT_THAT(changeOf9(), testing::AnyOf(CellChange::Turned, CellChange::TurnedOrDrifted));
   checked.reset();
@@ -287,13 +287,13 @@ TEST_F(WindowVerifyTest, TheNewestRequestWinsAndACancelledOneSaysNothing) {
   for (std::uint32_t pose = 1; pose <= 4; ++pose) verification.runHoldOut(snapshot, PoseId(pose));
   EXPECT_TRUE(running);
   ASSERT_TRUE(waitUntil([&] { return !running; }));
-  EXPECT_THAT(results, testing::ElementsAre(PoseId(4)));
+  EXPECT_THAT(results, ElementsAre(PoseId(4)));
   verification.runHoldOut(snapshot, PoseId(1));
   verification.cancel(VerifyCheck::HoldOut);
   EXPECT_FALSE(running);
   verification.runHoldOut(snapshot, PoseId(5));
   ASSERT_TRUE(waitUntil([&] { return results.size() > 1; }));
-  EXPECT_THAT(results, testing::ElementsAre(PoseId(4), PoseId(5)));
+  EXPECT_THAT(results, ElementsAre(PoseId(4), PoseId(5)));
 }
 
 TEST_F(WindowVerifyTest, WhatIsVerifiedIsTheSolverThatWasUsed) {

@@ -71,7 +71,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     advised_o_ = controller().liveSession().nextPose()->up;
     press(Qt::Key_T);
     ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."));
-    EXPECT_THAT(message(), testing::Not(HasText("repeats")));
+    EXPECT_THAT(message(), Not(HasText("repeats")));
     ASSERT_TRUE(waitForPoses(2));
   }
   void captureBySpace(std::size_t poses) {

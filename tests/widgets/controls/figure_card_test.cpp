@@ -2,10 +2,8 @@
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTest>
-#include <QToolButton>
+#include <QtTest>
+#include <QtWidgets>
 #include <optional>
 
 namespace hexoderm {

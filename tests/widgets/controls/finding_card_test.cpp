@@ -3,10 +3,8 @@
 #include "widgets/words/words.h"
 
 #include <gtest/gtest.h>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QToolButton>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace hexoderm {
 namespace {

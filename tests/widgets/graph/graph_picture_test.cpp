@@ -7,10 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <QDir>
-#include <QFile>
-#include <QImage>
-#include <QTemporaryDir>
+#include <QtWidgets>
 
 #include <cstdlib>
 

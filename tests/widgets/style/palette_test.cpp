@@ -5,12 +5,7 @@
 #include "widgets/style/color_maps.h"
 
 #include <gmock/gmock.h>
-#include <QApplication>
-#include <QImage>
-#include <QLineF>
-#include <QPainter>
-#include <QRegularExpression>
-#include <QWidget>
+#include <QtWidgets>
 
 #include <set>
 #include <utility>
