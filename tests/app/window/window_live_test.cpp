@@ -1,8 +1,9 @@
 // Skins that are connected: simulated, on a wire, and recordings, whole and broken.
 
+#include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/device/sources/recording.h"
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/app/window/fake_device.h"
-#include "tests/app/window/recorded_skin.h"
 #include "tests/app/window/window_test.h"
 #include "tests/support/changed_session.h"
 #include "widgets/capture/stillness_view.h"
@@ -260,6 +261,23 @@ TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadings
   click(find<QPushButton>("bannerButton"));
   auto* dialog = waitForDialog("connectDialog");
   dialog->reject();
+}
+
+/// Records a simulated skin until it has sent so many frames or a few more.
+void recordSkin(const std::string& address, const std::filesystem::path& path, int frames) {
+  struct Counter final : SkinListener {
+    void onSkin(const SkinDescription& /*skin*/) override {}
+    void onFrame(const SampleFrame& /*frame*/) override { ++count; }
+    void onStatus(const SourceStatus& /*status*/) override {}
+    void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
+    std::atomic<int> count = 0;
+  } counter;
+  StreamRecorder recorder(path, counter);
+  const auto source = openSkinSource(address);
+  source->start(recorder);
+  EXPECT_TRUE(test::waitUntil([&] { return counter.count >= frames; }));
+  source->stop();
+  recorder.finish();
 }
 
 class WindowRecordingTest : public WindowTest {

@@ -1,21 +1,50 @@
-// No command replaces a file that it reads, nor a session. The options are those of the help, so that a new one is
-// tried too, or fails a test until it is said what it is.
+// The commands and options that the help lists, so that a new one is tried too. No command replaces a file that it
+// reads, nor a session; every option of numbers says which it takes, and refuses all others before any work.
 
 #include "hexoderm/session/session_store.h"
-
 #include "tests/app/cli/cli_program.h"
-#include "tests/app/cli/listed_options.h"
 #include "tests/support/child_process.h"
 
+#include <regex>
 #include <set>
+#include <sstream>
 
 namespace hexoderm {
 namespace {
 
 namespace fs = std::filesystem;
 
-using test::optionsIn;
-using Option = test::ListedOption;
+struct Option {
+  std::string name;  ///< "--robot"; of an argument "input"
+  std::string type;  ///< "FILE"
+};
+
+/// Of the program's own help.
+std::vector<std::string> commandsIn(const std::string& help) {
+  std::istringstream lines(help);
+  std::vector<std::string> names;
+  std::string line;
+  while (std::getline(lines, line) && line != "Subcommands:") continue;
+  const std::regex entry("  ([a-z]+) .*");
+  for (std::smatch match; std::getline(lines, line);) {
+    if (std::regex_match(line, match, entry)) names.push_back(match[1]);
+  }
+  return names;
+}
+
+/// Options and arguments of a command's help that take a value.
+std::vector<Option> optionsIn(const std::string& help) {
+  std::istringstream lines(help);
+  std::vector<Option> options;
+  const std::regex entry("(?:  ){1,2}([a-z]+|(?:-\\w,)?--[-a-z]+) ([A-Z]{3,}(?::\\{)?).*");
+  std::string line;
+  for (std::smatch match; std::getline(lines, line);) {
+    if (!std::regex_match(line, match, entry)) continue;
+    const std::string name = match[1];
+    options.push_back({name.substr(name.find(',') + 1), match[2]});
+  }
+  return options;
+}
 
 /// What each command needs beside inputs and outputs to be run at all. One that has an output has to be here.
 const std::map<std::string, std::string> kNeeded = {
@@ -38,7 +67,7 @@ const std::set<std::string> kWords = {
 
 class CliOutputs : public CliWithSkin {
  protected:
-  [[nodiscard]] std::vector<std::string> commands() const { return test::commandsIn(run("--help").out); }
+  [[nodiscard]] std::vector<std::string> commands() const { return commandsIn(run("--help").out); }
 
   /// That a command ends with this code and one line that says all of this, and changes nothing.
   void expectRefused(const std::string& arguments, int exit_code, const std::vector<std::string>& says) {
@@ -277,6 +306,90 @@ TEST_F(CliOutputs, AnInputIsNotTakenForLeftBehind) {
   fs::copy_file(path("arm.session.json"), path(hidden));
   EXPECT_EQ(run("solve " + hidden + " -o other.calibration.json").exit_code, 0);
   EXPECT_TRUE(exists(hidden));
+}
+
+using CliNumbers = Cli;
+
+TEST_F(CliNumbers, ThatNoOptionTakesAreRefusedWithItsNameAndItsRange) {
+  std::size_t tried = 0;
+  for (const std::string& command : commandsIn(run("--help").out)) {
+    for (const Option& option : optionsIn(run(command + " --help").out)) {
+      if (option.type != "FLOAT" && option.type != "UINT" && option.type != "INT") continue;
+      const std::string kind = option.type == "FLOAT" ? "a number" : "a whole number";
+      const std::string others = option.name == "--up" ? " 0 1" : "";  // of a direction
+      for (const std::string value : {"nan", "inf", "-inf", "1e300", "-1e300", "1e400", "''", "many"}) {
+        ++tried;
+        const std::string found = value == "''" ? "" : value;
+        EXPECT_THAT(complaint(command + " " + option.name + " " + value + others, 2),
+                    AllOf(HasSubstr(option.name + ": expected " + kind), HasSubstr("found \"" + found + "\""),
+                          ContainsRegex("(from|above) -?[0-9.]+ (to|and at most) [0-9.]+")))
+            << command;
+      }
+    }
+  }
+  EXPECT_GE(tried, 20U * 8U);
+}
+
+TEST_F(CliNumbers, OutsideTheRangeAreRefused) {
+  for (const auto& [arguments, says] : {
+           std::pair<std::string, std::string>{"capture --timeout 0",
+                                               "--timeout: expected a number above 0 and at most 1000000, found \"0\""},
+           {"simulate --offset-sigma -1", "--offset-sigma: expected a number from 0 to 100000, found \"-1\""},
+           {"simulate --poses 1001", "--poses: expected a whole number from 0 to 1000, found \"1001\""},
+           {"simulate --poses 2.5", "--poses: expected a whole number from 0 to 1000, found \"2.5\""},
+           {"place --gap -0.1", "--gap: expected a number from 0 to 100000, found \"-0.1\""},
+           {"place --surface-sigma 0", "--surface-sigma: expected a number from 0.001 to 100000, found \"0\""},
+           {"place --normal-sigma 361", "--normal-sigma: expected a number from 0.001 to 360, found \"361\""},
+           {"solve -j 0", "--jobs: expected a whole number from 1 to 1024, found \"0\""},
+           {"solve --without -1", "--without: expected a whole number from 0 to 4294967295, found \"-1\""},
+           {"simulate --seed -1", "--seed: expected a whole number from 0 to 18446744073709551615, found \"-1\""},
+           {"simulate --seed 18446744073709551616", "--seed: expected a whole number from 0 to 18446744073709551615"},
+           {"links --up 1,0,2e6", "--up: expected a number from -1000000 to 1000000, found \"2e6\""},
+       }) {
+    EXPECT_THAT(complaint(arguments, 2), HasSubstr(says));
+  }
+}
+
+TEST_F(CliNumbers, AtTheEndsOfTheRangeAreTaken) {
+  EXPECT_EQ(
+      run("simulate --poses 2 --samples 1 --offset-sigma 0 --seed 18446744073709551615 -o a.session.json").exit_code,
+      0);
+  EXPECT_EQ(run("solve a.session.json -j 1024 --class-threshold 1000 -o a.calibration.json").exit_code, 0);
+  for (const std::string ends : {"--gap 100000 --surface-sigma 100000 --normal-sigma 360",
+                                 "--gap 0 --surface-sigma 0.001 --normal-sigma 0.001"}) {
+    // Where the patch is turned any way, a search with such figures takes minutes.
+    EXPECT_NE(run("place a.calibration.json --robot demo --link forearm --rotation 0,0,0 " + ends).exit_code, 2)
+        << ends;
+  }
+}
+
+TEST_F(CliNumbers, WithinATextAreRefusedToo) {
+  ASSERT_EQ(run("simulate --poses 3 -o a.session.json").exit_code, 0);
+  ASSERT_EQ(run("solve a.session.json -o a.calibration.json").exit_code, 0);
+  const std::string place = "place a.calibration.json --robot demo --link forearm ";
+  for (const auto& [arguments, option, range] : {
+           std::tuple<std::string, std::string, std::string>{
+               "export a.calibration.json --to urdf -o a.urdf --place l:VALUE,0,0,0,0,0", "--place", "1000000"},
+           {"export a.calibration.json --to urdf -o a.urdf --place l:0,0,0,0,VALUE,0", "--place", "1000000"},
+           {"simulate --robot demo -o b.session.json --mount forearm:0,VALUE,0", "--mount", "1000000"},
+           {"simulate --robot demo -o b.session.json --mount forearm:0,0,0,VALUE,0,0", "--mount", "1000000"},
+           {place + "--rotation 0,VALUE,0", "--rotation", "360"},
+           {place + "--rotation 0,0,0:VALUE", "--rotation", "360"},
+           {place + "--point 1:0,VALUE,0", "--point", "100"},
+           {place + "--point 1:0,0,0:VALUE", "--point", "100"},
+           {place + "--distance 1:2:VALUE", "--distance", "100"},
+           {place + "--distance 1:2:1:VALUE", "--distance", "100"},
+       }) {
+    for (const std::string value : {"nan", "inf", "1e300", "-1e300", ""}) {
+      std::string line = arguments;
+      line.replace(line.find("VALUE"), 5, value);
+      EXPECT_THAT(complaint(line, 2), AllOf(HasSubstr(option + ":"), HasSubstr("expected a number from "),
+                                            HasSubstr(" to " + range + ", found \"" + value + "\"")))
+          << line;
+    }
+  }
+  EXPECT_FALSE(exists("a.urdf"));
+  EXPECT_FALSE(exists("b.session.json"));
 }
 
 }  // namespace
