@@ -19,7 +19,7 @@ class GraphColorsTest : public GraphViewTest {
     for (QAction* action : button()->menu()->actions()) {
       if (action->text() == name) return action;
     }
-    return nullptr;
+    throw std::runtime_error("the menu has no " + name.toStdString());
   }
   /// The X17, each arm's links and cells with figures of their own.
   static std::shared_ptr<Reconstruction> withMetrics() {
@@ -85,7 +85,6 @@ TEST_F(GraphColorsTest, CellsAreColouredByPatchAndByHowTheyWerePlaced) {
 
 TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
   show(sampleTwoPatches());
-  ASSERT_NE(colorAction("body part"), nullptr);
   EXPECT_FALSE(colorAction("body part")->isEnabled());
   EXPECT_THAT(colorAction("body part")->toolTip().toStdString(), testing::HasSubstr("does not say"));
   auto parts = sampleTwoPatches();
@@ -104,7 +103,6 @@ TEST_F(GraphColorsTest, TheButtonSaysWhatTheColoursShowAndItsMenuChangesIt) {
   show(sampleX17());
   EXPECT_TRUE(button()->isVisible());
   EXPECT_EQ(button()->text(), "Colour: link quality ▾");
-  ASSERT_NE(colorAction("yaw"), nullptr);
   colorAction("yaw")->trigger();
   EXPECT_EQ(button()->text(), "Colour: yaw ▾");
   EXPECT_FALSE(button()->accessibleName().isEmpty());
@@ -145,9 +143,7 @@ TEST_F(GraphColorsTest, ShortestPathsAreMarkedUnlessSwitchedOff) {
   show(sampleX17());
   const QColor band = Colors::of(Theme::Light).tree_band;
   const int marked = countColor(image(), linkTo2(), 8, band);
-  auto* toggle = view_.findChild<QAction*>("graphMarksTree");
-  ASSERT_NE(toggle, nullptr);
-  toggle->trigger();
+  test::part<QAction>(view_, "graphMarksTree")->trigger();
   EXPECT_GT(marked, countColor(image(), linkTo2(), 8, band) + 10);
 }
 
@@ -228,31 +224,28 @@ TEST_F(GraphColorsTest, ARightClickPicksWhatIsThereAndOffersWhatCanBeDoneWithIt)
   view_.setCellActions({&light});
   show(sampleX17());
   QSignalSpy muted(&mute, &QAction::triggered);
-  const auto menuAt = [&](QPoint at) {
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, view_.mapToGlobal(at));
+  const auto menuAt = [&](QPoint at, QContextMenuEvent::Reason reason = QContextMenuEvent::Mouse) {
+    QContextMenuEvent event(reason, at, view_.mapToGlobal(at));
     QApplication::sendEvent(&view_, &event);
-    return view_.findChild<QMenu*>("graphMenu");
+    return test::part<QMenu>(view_, "graphMenu");
+  };
+  const auto isClosed = [&] {
+    return test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; });
   };
   QMenu* menu = menuAt(linkTo9());
-  ASSERT_NE(menu, nullptr);
   EXPECT_EQ(selection_.link(), Selection::Link(kFive, kNine));
   EXPECT_TRUE(menu->actions().contains(&mute));
   EXPECT_FALSE(menu->actions().contains(&light));
   QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(&mute).center());
   EXPECT_EQ(muted.count(), 1);
-  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
+  ASSERT_TRUE(isClosed());
 
   menu = menuAt(cell(13));
-  ASSERT_NE(menu, nullptr);
   EXPECT_EQ(selection_.cell(), CellId(13));
   EXPECT_TRUE(menu->actions().contains(&light));
   QTest::keyClick(menu, Qt::Key_Escape);
-  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
-
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3), view_.mapToGlobal(QPoint(3, 3)));
-  QApplication::sendEvent(&view_, &key);
-  menu = view_.findChild<QMenu*>("graphMenu");
-  ASSERT_NE(menu, nullptr) << "the menu key opens it for what is picked";
+  ASSERT_TRUE(isClosed());
+  menu = menuAt({3, 3}, QContextMenuEvent::Keyboard);  // the menu key opens it for what is picked
   EXPECT_EQ(selection_.cell(), CellId(13));
   QTest::keyClick(menu, Qt::Key_Escape);
 }

@@ -191,8 +191,7 @@ TEST_F(GraphViewTest, ArrowKeysReachOtherPatches) {
 
 TEST_F(GraphViewTest, TypingDigitsFindsACell) {
   show(sampleX17());
-  auto* field = view_.findChild<QLineEdit*>();
-  ASSERT_NE(field, nullptr);
+  auto* field = test::part<QLineEdit>(view_);
   EXPECT_FALSE(field->isVisible());
   QTest::keyClick(&view_, Qt::Key_1);
   EXPECT_TRUE(field->isVisible());

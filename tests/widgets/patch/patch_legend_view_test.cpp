@@ -33,7 +33,7 @@ class PatchLegendViewTest : public PatchViewFixture {
   QToolButton* button() { return legend().findChild<QToolButton*>("scaleRange"); }
   template <class T>
   T* inPopup(const char* name) {
-    return legend().findChild<T*>(QLatin1String(name));
+    return test::part<T>(legend(), QLatin1String(name));
   }
   void key(int key) { QTest::keyClick(&legend(), Qt::Key(key)); }
   /// In the middle of the bar.
@@ -117,7 +117,6 @@ TEST_F(PatchLegendViewTest, AClickOrEnterFixesTheRangeAndTheNextReleasesIt) {
 TEST_F(PatchLegendViewTest, ARangeIsChosenOrTypedInThePopup) {
   QTest::mouseClick(button(), Qt::LeftButton);
   auto* popup = inPopup<QFrame>("rangePopup");
-  ASSERT_NE(popup, nullptr);
   ASSERT_TRUE(popup->isVisible());
   EXPECT_TRUE(inPopup<QRadioButton>("rangeFitted")->isChecked());
   QTest::mouseClick(inPopup<QRadioButton>("rangeUsual"), Qt::LeftButton, {}, QPoint(8, 8));

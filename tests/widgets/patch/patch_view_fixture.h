@@ -18,8 +18,7 @@ class PatchViewFixture : public testing::Test {
   void SetUp() override {
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
+    canvas = test::part<SceneWidget>(view);
   }
 
   PatchControls& controls() { return *view.findChild<PatchControls*>(); }

@@ -26,7 +26,16 @@ class PatchViewTest : public PatchViewFixture {
     for (QToolButton* candidate : view.findChildren<QToolButton*>()) {
       if (candidate->text() == text) return candidate;
     }
-    return nullptr;
+    throw std::runtime_error("there is no button " + text.toStdString());
+  }
+
+  void showAtRest() {
+    view.setReconstruction(demo());
+    ASSERT_TRUE(test::waitUntil([this] {
+      const test::PictureCounter still_drawn(*canvas);
+      test::letTurnsPass();
+      return canvas->isPictureSmoothed() && still_drawn.count() == 0;
+    }));
   }
 
   QString words() { return view.findChild<PatchCaptions*>()->accessibleDescription(); }
@@ -35,8 +44,7 @@ class PatchViewTest : public PatchViewFixture {
 };
 
 TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
-  view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  ASSERT_NO_FATAL_FAILURE(showAtRest());
   const QImage small = canvas->picture();
   view.resize(700, 500);
   ASSERT_TRUE(test::waitUntil([this] { return canvas->width() > 640; }));
@@ -49,9 +57,7 @@ TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
 }
 
 TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothOne) {
-  view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
-  QCoreApplication::processEvents();
+  ASSERT_NO_FATAL_FAILURE(showAtRest());
   const test::PictureCounter drawn(*canvas);
   for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
   view.setPalette(qtPalette(Theme::Dark));
@@ -65,12 +71,7 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASm
 }
 
 TEST_F(PatchViewTest, AnotherPaletteOfTheSameThemeDrawsNothing) {
-  view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] {
-    const test::PictureCounter still_drawn(*canvas);
-    test::letTurnsPass();
-    return canvas->isPictureSmoothed() && still_drawn.count() == 0;
-  }));
+  ASSERT_NO_FATAL_FAILURE(showAtRest());
   const test::PictureCounter drawn(*canvas);
   QPalette palette = view.palette();
   palette.setColor(QPalette::Link, Qt::red);
@@ -141,7 +142,6 @@ TEST_F(PatchViewTest, TheWheelZoomsAndTheButtonFitsAgain) {
   const QImage fitted = view.screenshot();
   test::turnWheel(canvas, canvas->rect().center(), 120);
   EXPECT_NE(view.screenshot(), fitted);
-  ASSERT_NE(button("Fit"), nullptr);
   QTest::mouseClick(button("Fit"), Qt::LeftButton);
   EXPECT_EQ(view.screenshot(), fitted);
 }
@@ -158,8 +158,7 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
   view.setMoment(moment);
   overlays.surface = shared(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
   view.setOverlays(overlays);
-  auto* modes = view.findChild<QMenu*>("coloringMenu");
-  ASSERT_NE(modes, nullptr);
+  auto* modes = test::part<QMenu>(view, "coloringMenu");
   std::vector<QImage> pictures;
   std::set<QString> legends;
   for (QAction* mode : modes->actions()) {
@@ -264,9 +263,7 @@ TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   view.setReconstruction(demo());
   view.showStandardView(PatchView::StandardView::Front);
   static_cast<void>(view.screenshot());
-  QToolButton* tool = button(controls().measureAction()->iconText());
-  ASSERT_NE(tool, nullptr);
-  QTest::mouseClick(tool, Qt::LeftButton);
+  QTest::mouseClick(button(controls().measureAction()->iconText()), Qt::LeftButton);
   EXPECT_TRUE(words().contains("first cell"));
   click(canvas->rect().center());
   EXPECT_EQ(selection.cell(), CellId(1));

@@ -26,18 +26,17 @@ class RobotViewTest : public testing::Test {
     view.setPicture(picture);
     ASSERT_TRUE(view.canDraw()) << "no OpenGL";
     QCoreApplication::processEvents();  // until then the canvas has no size
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
+    canvas = test::part<SceneWidget>(view);
     view.lookAtSkin(0);
     view.drawNow();
-    QObject::connect(&view, &RobotView::gripped, [this](const Eigen::Vector3d& x_l) {
-      said << "gripped";
-      gripped_at = x_l;
-    });
-    QObject::connect(&view, &RobotView::pulledTo, [this](const Eigen::Vector3d& x_l) {
-      said << "pulled";
-      pulled_to = x_l;
-    });
+    const auto note = [this](const char* what, Eigen::Vector3d& where) {
+      return [this, what, &where](const Eigen::Vector3d& x_l) {
+        said << what;
+        where = x_l;
+      };
+    };
+    QObject::connect(&view, &RobotView::gripped, note("gripped", gripped_at));
+    QObject::connect(&view, &RobotView::pulledTo, note("pulled", pulled_to));
     QObject::connect(&view, &RobotView::released, [this] { said << "released"; });
     QObject::connect(&view, &RobotView::laid, [this] { said << "laid"; });
     QObject::connect(&view, &RobotView::leftAlone, [this] { said << "left"; });
@@ -51,8 +50,7 @@ class RobotViewTest : public testing::Test {
   QPoint onPatch() {
     const QPoint middle = canvas->rect().center();
     for (const QPoint& aside : {QPoint(0, 0), QPoint(25, 0), QPoint(-25, 0), QPoint(0, 25), QPoint(0, -25)}) {
-      press(middle + aside);
-      release(middle + aside);
+      QTest::mouseClick(canvas, Qt::LeftButton, {}, middle + aside);
       const bool hit = said.contains("gripped");
       said.clear();
       if (hit) return middle + aside;
@@ -91,16 +89,13 @@ TEST_F(RobotViewTest, TheMouseGripsThePatchPullsItAndLetsItGo) {
 
 TEST_F(RobotViewTest, OtherPatchesAndOtherTimesAreNotGripped) {
   const QPoint at = onPatch();
-  press(QPoint(2, 2));
-  release(QPoint(2, 2));
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(2, 2));
   view.setPicking(true);
-  press(at);
-  release(at);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
   view.setPicking(false);
   picture.movable.reset();
   view.setPicture(picture);
-  press(at);
-  release(at);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
   EXPECT_TRUE(said.isEmpty());
 }
 
