@@ -107,10 +107,8 @@ TEST_F(WindowExportTest, AFormatsEndingIsInTheNameAndItsOptionsAreInTheFile) {
   QTest::keyClick(dialog->findChild<QComboBox*>("export-links"), Qt::Key_Down);
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Exported to "));
-  const QByteArray urdf = contentOf(pathTo("arm.urdf"));
-  for (const char* part : {"<robot name=\"arm7\"", "elbow_link", "tactile_"}) {
-    EXPECT_TRUE(urdf.contains(part)) << part;
-  }
+  const QString urdf = contentOf(pathTo("arm.urdf"));
+  EXPECT_THAT(urdf, HasTexts({"<robot name=\"arm7\"", "elbow_link", "tactile_"}));
   EXPECT_EQ(urdf.count("<joint "), 1) << "one link for the patch";
 }
 

@@ -60,11 +60,9 @@ TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
   QDialog* dialog = openExportDialog();
   choosePackage(dialog);
   tick(dialog, {"URDF", "Calibration"});
-  const QString preview = dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText();
-  for (const char* part : {"skin.urdf", "its place on the robot is not known", "A URDF holds no uncertainties.",
-                           "skin.calibration.json", "manifest.json"}) {
-    EXPECT_THAT(preview, HasText(part));
-  }
+  EXPECT_THAT(dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText(),
+              HasTexts({"skin.urdf", "its place on the robot is not known", "A URDF holds no uncertainties.",
+                        "skin.calibration.json", "manifest.json"}));
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(waitUntilGone("exportDialog"));
 

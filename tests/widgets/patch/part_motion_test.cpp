@@ -83,8 +83,7 @@ TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
   const auto hold = [&](int readings) {
     for (int k = 0; k < readings; ++k) {
       turnTo(expSO3(Eigen::Vector3d(tremor(random), tremor(random), tremor(random))) * Eigen::Vector3d::UnitY());
-      moment.readings = readingsOf({{CellId(1), {0.01 * k, 0, 1}}});
-      view.setMoment(moment);
+      read(readingsOf({{CellId(1), {0.01 * k, 0, 1}}}));
       test::letTurnsPass();
     }
   };

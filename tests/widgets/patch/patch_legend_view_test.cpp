@@ -43,9 +43,7 @@ class PatchLegendViewTest : public PatchViewFixture {
 TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
   EXPECT_TRUE(legend().isVisible());
   EXPECT_TRUE(legend().accessibleName().contains("position uncertainty (95 %), mm"));
-  for (const char* part : {"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}) {
-    EXPECT_THAT(said(), HasText(part));
-  }
+  EXPECT_THAT(said(), HasTexts({"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}));
   EXPECT_EQ(button()->text(), "fitted range ▾");
   EXPECT_TRUE(view.rect().contains(legend().geometry()));
   EXPECT_TRUE(legend().rect().contains(button()->geometry()));

@@ -85,8 +85,7 @@ TEST_F(PatchPointingTest, ACardBesideTheMouseHasAllMetricsOfTheCellInTheWordsOfT
 }
 
 TEST_F(PatchPointingTest, BesideAPortItIsTheLink) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2))));
   const LinkEstimate& link = skin->patches[0].links[0];
   ASSERT_EQ(link.target.cell, CellId(2));
@@ -196,8 +195,7 @@ TEST_F(PatchPointingTest, APickedCellThatIsHiddenIsSeenThroughTheOthersWithItsNu
   EXPECT_FALSE(marks().picked.hidden);
   EXPECT_TRUE(marks().picked.tag.isEmpty()) << "it stands on the cell";
   // From the side the cylinder hides what is on its other side.
-  view.showStandardView(PatchView::StandardView::Side);
-  view.drawNow();
+  look(PatchView::StandardView::Side);
   int hidden = 0;
   for (const CellPlacement& cell : skin->patches[0].cells) {
     selection.selectCell(cell.cell);
@@ -239,8 +237,7 @@ TEST_F(PatchPointingTest, TheCameraTurnsToEveryCellThatIsSought) {
 }
 
 TEST_F(PatchPointingTest, WhatIsSeenAlreadyIsNotTurnedTo) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   const Eigen::Vector3d ahead(renderer()->GetActiveCamera()->GetDirectionOfProjection());
   selection.seekCell(CellId(2));
   const Eigen::Vector3d then(renderer()->GetActiveCamera()->GetDirectionOfProjection());
@@ -276,12 +273,10 @@ TEST_F(PatchPointingTest, AfterFitThereIsNothingToComeBackTo) {
 }
 
 TEST_F(PatchPointingTest, TheCameraGlidesToWhereItWouldHaveJumped) {
-  view.showStandardView(PatchView::StandardView::Side);
-  view.drawNow();
+  look(PatchView::StandardView::Side);
   selection.seekCell(CellId(15));
   const Eigen::Vector3d jumped = cameraAt();
-  view.showStandardView(PatchView::StandardView::Side);
-  view.drawNow();
+  look(PatchView::StandardView::Side);
   const Eigen::Vector3d before = cameraAt();
   view.setAnimated(true);
   selection.seekCell(CellId(15));
@@ -292,8 +287,7 @@ TEST_F(PatchPointingTest, TheCameraGlidesToWhereItWouldHaveJumped) {
 }
 
 TEST_F(PatchPointingTest, ArrowKeysWalkToTheNeighbourThatLiesThere) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   EXPECT_EQ(view.focusPolicy(), Qt::StrongFocus);
   QTest::keyClick(&view, Qt::Key_Right);
   EXPECT_EQ(selection.cell(), CellId(1)) << "the origin, where nothing is picked";
@@ -354,12 +348,10 @@ TEST_F(PatchPointingTest, TheColourOfTheCellIsOnItsCardAsAFigure) {
   selection.selectCell(CellId(2));
   view.setMetricsShown(true);
   EXPECT_THAT(figureCard()->text(), HasText("0.40°"));
-  moment.readings = readingsOf({{CellId(2), {0.1, 0.2, 0.93}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(2), {0.1, 0.2, 0.93}}}));
   controls().action(Coloring::ReadingZ)->setChecked(true);
   EXPECT_THAT(figureCard()->text(), HasText("0.93"));
-  moment.readings = readingsOf({{CellId(2), {0.1, 0.2, -0.51}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(2), {0.1, 0.2, -0.51}}}));
   EXPECT_THAT(figureCard()->text(), HasText("−0.51"));
 }
 
@@ -392,8 +384,7 @@ TEST_F(PatchPointingTest, WhereSomethingWasFoundIsPointedOutAlsoWhereItIsHidden)
   faulty->findings.push_back(makeFinding(FindingCode::DeadSensor, {}, {CellId(7)}));
   show(faulty);
   for (const auto side : {PatchView::StandardView::Front, PatchView::StandardView::Side}) {
-    view.showStandardView(side);
-    view.drawNow();
+    look(side);
     ASSERT_EQ(marks().found.size(), 1u);
     EXPECT_EQ(marks().found.front().tag, "7");
     EXPECT_EQ(marks().found.front().sign, Severity::Error);
@@ -406,8 +397,7 @@ TEST_F(PatchPointingTest, WhereSomethingWasFoundIsPointedOutAlsoWhereItIsHidden)
 }
 
 TEST_F(PatchPointingTest, WhileMeasuringLinksAreNotPicked) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2)))) + QPoint(1, 0);
   controls().measureAction()->trigger();
   test::moveMouse(canvas, between);

@@ -26,6 +26,14 @@ class PatchViewFixture : public testing::Test {
     QTest::mousePress(canvas, Qt::LeftButton, {}, at);
     QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
   }
+  void read(std::shared_ptr<const CellReadings> readings) {
+    moment.readings = std::move(readings);
+    view.setMoment(moment);
+  }
+  void look(PatchView::StandardView from) {
+    view.showStandardView(from);
+    view.drawNow();
+  }
   void activate() {
     view.activateWindow();
     ASSERT_TRUE(test::waitUntilActive(view));

@@ -154,8 +154,7 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
     cell.shape_cov_t_r = Matrix6d::Identity() * 1e-7 * static_cast<double>(skin.patches[0].pathTo(cell.cell).size());
   }
   view.setReconstruction(shared(skin));
-  moment.readings = readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}}));
   overlays.surface = shared(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
   view.setOverlays(overlays);
   auto* modes = test::part<QMenu>(view, "coloringMenu");
@@ -190,27 +189,22 @@ TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
     expectReason(controls().action(item));
   }
   EXPECT_TRUE(controls().action(SceneItem::Links)->isEnabled());
-  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, 1}}}));
   EXPECT_TRUE(controls().action(Coloring::ReadingX)->isEnabled());
   EXPECT_FALSE(controls().action(Coloring::Temperature)->isEnabled());
-  moment.readings = readingsOf({});
-  view.setMoment(moment);
+  read(readingsOf({}));
   EXPECT_FALSE(controls().action(Coloring::ReadingX)->isEnabled());
 }
 
 TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
   view.setReconstruction(demo());
-  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, 1}}}));
   controls().action(Coloring::ReadingZ)->setChecked(true);
   const QImage up = view.screenshot();
   EXPECT_THAT(words(), HasText("z, g"));
-  moment.readings = readingsOf({{CellId(1), {0, 0, -1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, -1}}}));
   EXPECT_NE(view.screenshot(), up);
-  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, 1}}}));
   EXPECT_EQ(view.screenshot(), up);
 }
 
