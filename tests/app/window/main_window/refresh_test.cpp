@@ -51,7 +51,7 @@ TEST_F(RefreshTest, TheWindowIsRefreshedOnceHoweverMuchAnActionChangesAndAtOnceF
   ASSERT_TRUE(action("actionTogglePose")->isEnabled());
 
   const QSignalSpy changed(&controller(), &SessionController::changed);
-  const QSignalSpy next_pose(&controller().poseGuide(), &PoseGuide::nextPoseChanged);
+  const QSignalSpy next_pose(&controller().liveSession(), &LiveSession::nextPoseChanged);
   const QSignalSpy refreshed(window_.get(), &MainWindow::refreshed);
   action("actionTogglePose")->trigger();
   const int at_once = changed.count() + next_pose.count();
