@@ -69,9 +69,7 @@ TEST_F(WindowOpenTest, ABrokenFileIsNamedWithItsPlaceAndNothingIsLost) {
       {"cut.xml", half(contentOf(HEXODERM_TEST_DATA "/two_patches.tum.xml")), "line"},
   };
   ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
-  clickRow("poseView", 1);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(disablePose(1));
   for (const auto& [file, content, said] : broken) {
     const QString path = writeFile(file, content);
     ASSERT_NO_FATAL_FAILURE(openByKeys(path));
@@ -112,9 +110,7 @@ TEST_F(WindowOpenTest, ASessionThatIsOpenInTwoWindowsIsKeptByTheFirst) {
   ASSERT_TRUE(waitForPoses(3));
   ASSERT_TRUE(waitForMessage("will not be kept in this file"));
   EXPECT_FALSE(controller().file().isKept());
-  clickRow("poseView", 0);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(disablePose(0));
   EXPECT_TRUE(controller().file().hasUnsavedChanges()) << "what is done here must be saved elsewhere";
   EXPECT_FALSE(readSessionStore(path.toStdString()).poses()[0].disabled);
   EXPECT_FALSE(first->controller().session()->poses()[0].disabled);
@@ -172,9 +168,7 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   EXPECT_EQ(readSessionJson(path.toStdString()).poses().size(), 2U);
 
   // From now on Ctrl+S does not ask.
-  clickRow("poseView", 0);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(disablePose(0));
   EXPECT_TRUE(controller().file().hasUnsavedChanges());
   press(Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return !controller().file().hasUnsavedChanges(); }));

@@ -195,9 +195,7 @@ TEST_F(WindowLiveTest, ConnectionsMayEndAtAnyMoment) {
 TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   const QString path = writeSession("unfinished.hexo", simulated(1, {}, 100));
   ASSERT_NO_FATAL_FAILURE(openFile(path));
-  clickRow("poseView", 0);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(disablePose(0));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_TRUE(read(path).poses()[0].disabled) << "the file is kept up without saving";
 

@@ -144,6 +144,11 @@ class WindowTest : public testing::Test {
     const QRect cell = view->visualRect(view->model()->index(row, 0));
     QTest::mouseClick(view->viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
   }
+  void disablePose(int row) {
+    clickRow("poseView", row);
+    press(Qt::Key_Delete);
+    ASSERT_TRUE(waitUntilIdle());
+  }
   void openStep(GuideStep step) { window_->findChild<StepPanel*>()->openStep(static_cast<int>(step)); }
   QDialog* openExportDialog() {
     press(Qt::Key_E, Qt::ControlModifier);

@@ -32,8 +32,8 @@ PoseCoverage coverageWith(const std::vector<Eigen::Vector3d>& ups, std::size_t d
 
 class CoverageViewTest : public testing::Test {
  protected:
-  void show(const QSize& size = {320, 360}) {
-    view.resize(size);
+  void SetUp() override {
+    view.resize(320, 360);
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
   }
@@ -46,7 +46,6 @@ class CoverageViewTest : public testing::Test {
 };
 
 TEST_F(CoverageViewTest, DrawsEveryPoseOnItsDiscAndADisabledOneHollow) {
-  show();
   const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {0.2, 0.3, -0.9}};
   view.setCoverage(coverageWith({}));
   const QImage before = view.grab().toImage();
@@ -62,7 +61,6 @@ TEST_F(CoverageViewTest, DrawsEveryPoseOnItsDiscAndADisabledOneHollow) {
 }
 
 TEST_F(CoverageViewTest, AClickPicksThePoseUnderIt) {
-  show();
   view.setCoverage(coverageWith({{0, 0, 1}, {0.2, 0.3, -0.9}}));
   QSignalSpy picked(&view, &CoverageView::posePicked);
   QTest::mouseClick(&view, Qt::LeftButton, {}, view.placeOf(Eigen::Vector3d(0.2, 0.3, -0.9).normalized()).toPoint());
@@ -77,7 +75,6 @@ TEST_F(CoverageViewTest, AClickPicksThePoseUnderIt) {
 }
 
 TEST_F(CoverageViewTest, ArrowKeysGoRoundThePoses) {
-  show();
   view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
   QSignalSpy picked(&view, &CoverageView::posePicked);
   QTest::keyClick(&view, Qt::Key_Right);
@@ -92,7 +89,6 @@ TEST_F(CoverageViewTest, ArrowKeysGoRoundThePoses) {
 }
 
 TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
-  show();
   view.setCoverage(coverageWith({{0, 0, 1}}));
   const QImage before = view.grab().toImage();
   view.setNext(Eigen::Vector3d(0.3, 0.2, -0.9).normalized());
@@ -108,7 +104,6 @@ TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
 }
 
 TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
-  show();
   const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
   view.setCoverage(coverageWith({up}));
   QRect number = view.fontMetrics().tightBoundingRect("1").adjusted(-1, -1, 1, 1);
@@ -121,7 +116,6 @@ TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
 }
 
 TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
-  show();
   view.setEmptyHint("No poses yet.");
   const QImage empty = view.grab().toImage();
   const QRgb below_limit = linkStroke(EdgeQuality::Partially, Theme::Light).color.rgb();
@@ -138,7 +132,7 @@ TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
 
 TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
   // The room that the window leaves at 1280x800.
-  show({390, 228});
+  view.resize(390, 228);
   view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
   const double across = view.placeOf(Eigen::Vector3d::UnitX()).x() - view.placeOf(-Eigen::Vector3d::UnitX()).x();
   EXPECT_GT(std::abs(across), 70);
@@ -146,10 +140,9 @@ TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
 
 TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
-  const QString words = view.accessibleDescription();
-  EXPECT_THAT(words, HasText("2 poses"));
-  EXPECT_THAT(words, HasText("fully defined"));
-  EXPECT_THAT(words, HasText("facing the ceiling or the floor: the third value is 0.00, needs 0.50"));
+  EXPECT_THAT(
+      view.accessibleDescription(),
+      HasTexts({"2 poses", "fully defined", "facing the ceiling or the floor: the third value is 0.00, needs 0.50"}));
   view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
   EXPECT_TRUE(view.accessibleDescription().contains("No direction is missing"));
 }
@@ -168,7 +161,7 @@ TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
 }
 
 TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
-  show({180, 230});
+  view.resize(180, 230);
   view.setCoverage(coverageWith({{0, 0, 1}, {0, 0.1, -1}}));
   EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(Eigen::Vector3d::UnitZ())));
   EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(-Eigen::Vector3d::UnitZ())));
