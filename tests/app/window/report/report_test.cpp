@@ -274,7 +274,9 @@ TEST_F(ReportWindow, IsWrittenFromTheMenuAndAsksOnceForItsTitle) {
     action("actionReportTitle")->trigger();
     form = waitForDialog("reportTitleDialog");
     EXPECT_EQ(form->findChild<QLineEdit*>("reportRobot")->text(), "Toro 3");
-    if (again) EXPECT_EQ(form->findChild<QLineEdit*>("reportOperator")->text(), "A. Meier");
+    if (again) {
+      EXPECT_EQ(form->findChild<QLineEdit*>("reportOperator")->text(), "A. Meier");
+    }
     form->findChild<QLineEdit*>("reportOperator")->setText("A. Meier");
     click(form->findChild<QPushButton*>("reportTitleButton"));
     ASSERT_TRUE(waitUntilGone("reportTitleDialog"));
