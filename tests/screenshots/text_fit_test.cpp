@@ -142,12 +142,12 @@ TEST(TextFit, FindsWhatScrollsSideways) {
 class NothingIsCutOff : public WindowTest, public testing::WithParamInterface<const char*> {
  protected:
   void SetUp() override {
-    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), QLatin1String(GetParam()));
+    installTranslations(*qApp, QLatin1String(GetParam()));
     WindowTest::SetUp();
   }
   void TearDown() override {
     window_.reset();
-    installTranslations(*qobject_cast<QApplication*>(QCoreApplication::instance()), QStringLiteral("en"));
+    installTranslations(*qApp, QStringLiteral("en"));
   }
 };
 

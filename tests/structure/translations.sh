@@ -1,6 +1,6 @@
 #!/bin/bash
 # Fails if a text that stands in the sources, the templates of core's messages included, has no finished translation, or
-# if a translation does not take the arguments of its template.
+# if a translation does not take the arguments of its template, or has no key or dots where the text has them.
 # Usage: translations.sh ROOT [FILE.ts]   (default: the German of the root)
 set -euo pipefail
 root="$1"
@@ -14,6 +14,11 @@ python3 - "$folder/updated.ts" <<'CODE'
 import re
 import sys
 import xml.etree.ElementTree as tree
+
+
+def marks(text):
+    """The arguments and the key of a text of the window, and the dots that announce a dialog."""
+    return set(re.findall(r"%[1-9]", text)), text.count("&"), text.endswith("…")
 
 
 def placeholders(text):
@@ -30,6 +35,9 @@ for context in tree.parse(sys.argv[1]).getroot().findall("context"):
             failed = True
         elif context.findtext("name") == "hexoderm::Message" and placeholders(source) != placeholders(translation.text):
             print(f"The translation takes other arguments: {source}: {translation.text}")
+            failed = True
+        elif marks(source) != marks("".join(translation.itertext()).strip()):
+            print(f"The translation has other arguments, keys or dots: {source}: {''.join(translation.itertext())}")
             failed = True
 sys.exit(failed)
 CODE

@@ -4,10 +4,11 @@
 
 #include "tests/support/app_theme.h"
 #include "tests/support/kept_picture.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <QScrollArea>
 
 namespace hexoderm::test {

@@ -2,13 +2,9 @@
 
 #include "tests/support/patience.h"
 
-#include <QApplication>
-#include <QEventLoop>
-#include <QMouseEvent>
-#include <QTest>
-#include <QTimer>
-#include <QWheelEvent>
-#include <QWidget>
+#include <QtTest>
+#include <QtWidgets>
+#include <stdexcept>
 
 namespace hexoderm::test {
 
@@ -34,6 +30,14 @@ inline void letTurnsPass() {
     QTimer::singleShot(kTurn_ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
     loop.exec();
   }
+}
+
+/// A part of a widget by its kind and, of several, its name; throws, which ends the test, if it is not there.
+template <class T>
+T* part(const QObject& owner, const QString& name = {}) {
+  T* found = owner.findChild<T*>(name);
+  if (found == nullptr) throw std::runtime_error("there is no " + name.toStdString() + " of the kind");
+  return found;
 }
 
 /// The mouse moves there with these buttons down. QTest::mouseMove() moves the display's own pointer instead, of which

@@ -3,19 +3,11 @@
 #include "hexoderm/session/session_store.h"
 
 #include "tests/app/cli/cli_program.h"
-#include "tests/support/paths.h"
 
-#include <gmock/gmock.h>
-#include <array>
 #include <ostream>
-#include <string>
-#include <utility>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 class CaptureOfARecording : public Cli {};
 

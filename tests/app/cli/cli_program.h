@@ -6,7 +6,8 @@
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <Eigen/Dense>
 #include <nlohmann/json.hpp>
 
 #include <sys/wait.h>
@@ -15,12 +16,19 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <map>
-#include <string>
-#include <system_error>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 struct Outcome {
   int exit_code = -1;
@@ -28,6 +36,11 @@ struct Outcome {
   std::string err;
 };
 
+/// Of nine numbers, row by row.
+inline Eigen::Matrix3d matrixOf(const nlohmann::json& numbers) {
+  const auto R = numbers.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
+}
 class Cli : public ::testing::Test {
  protected:
   /// `before`: what the shell is to run in front of the program, for example "sender | ".

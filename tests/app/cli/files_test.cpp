@@ -1,23 +1,11 @@
 // Where the program's input comes from and where its output goes: pipes, links, devices, and files that nobody should
 // trust.
 
-#include "hexoderm/base/file.h"
 
 #include "tests/app/cli/cli_program.h"
-#include "tests/support/paths.h"
-
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <fstream>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 class CliFiles : public CliWithSkin {
  protected:

@@ -4,17 +4,10 @@
 #include "tests/app/cli/wrong_devices.h"
 #include "tests/app/emulator/emulator_program.h"
 
-#include <gmock/gmock.h>
-#include <algorithm>
-
 namespace hexoderm {
 namespace {
 
 using Json = nlohmann::json;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 class CliListen : public Cli {
  protected:

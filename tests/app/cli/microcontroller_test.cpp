@@ -4,17 +4,12 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/device/skinwire/examples/firmware/skin.h"
 #include "hexoderm/device/skinwire/framing.h"
-#include "hexoderm/device/sources/wire_source.h"
 #include "hexoderm/io/session_json.h"
 #include "tests/app/cli/cli_program.h"
 #include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
-#include "tests/support/paths.h"
 
-#include <fcntl.h>
 #include <termios.h>
-
-#include <nlohmann/json.hpp>
 
 namespace hexoderm {
 namespace {

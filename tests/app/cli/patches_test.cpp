@@ -6,22 +6,10 @@
 #include "hexoderm/base/sha256.h"
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 class CliPatches : public Cli {
  protected:

@@ -1,28 +1,13 @@
-// `hexoderm-cli place`: where on a link a patch lies, and what export makes of it.
+// `hexoderm-cli place`, `links` and `parts`: on which link of a robot patches are and where, and which move together.
 
-#include "hexoderm/base/file.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
-#include <string>
-#include <vector>
-
 namespace hexoderm {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-
-/// Of nine numbers, row by row.
-Eigen::Matrix3d matrixOf(const nlohmann::json& numbers) {
-  const auto R = numbers.get<std::vector<double>>();
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(R.data());
-}
 Eigen::Vector3d vectorOf(const nlohmann::json& numbers) {
   const auto t = numbers.get<std::vector<double>>();
   return {t.at(0), t.at(1), t.at(2)};
@@ -86,7 +71,7 @@ TEST_F(CliPlace, ExportTakesThePlacesThatTheCalibrationHolds) {
   EXPECT_THAT(readFile(path("placed.urdf")), HasSubstr("\"forearm\""));
   // What is said on the command line counts instead.
   EXPECT_EQ(run("export placed.calibration.json --to urdf --place hand:0,0,0.1,0,0,0 -o hand.urdf").exit_code, 0);
-  EXPECT_THAT(readFile(path("hand.urdf")), AllOf(HasSubstr("\"hand\""), testing::Not(HasSubstr("\"forearm\""))));
+  EXPECT_THAT(readFile(path("hand.urdf")), AllOf(HasSubstr("\"hand\""), Not(HasSubstr("\"forearm\""))));
 }
 
 TEST_F(CliPlace, PrintsEveryCellInTheFrameOfTheLinkAsJson) {
@@ -115,6 +100,7 @@ TEST_F(CliPlace, TakesTheRotationThatLinksFinds) {
   const auto& turn = links["patches"][0]["placed"];
   const auto q = turn["q_l_o_wxyz"].get<std::vector<double>>();
   const Eigen::Matrix3d R_links = Eigen::Quaterniond(q.at(0), q.at(1), q.at(2), q.at(3)).toRotationMatrix();
+  EXPECT_LT(rotationAngle(R_links.transpose() * T_l_o_.R), 4 * turn["sigma_deg"].get<double>() * kDegree);
   const auto by_point = nlohmann::json::parse(run(place + " --rotation links --no-surface" + point()).out);
   const auto& alone = by_point["candidates"][0]["patches"][0];
   EXPECT_LT(rotationAngle(R_links.transpose() * matrixOf(alone["R"])), 1e-4);
@@ -156,6 +142,132 @@ TEST_F(CliPlace, WritesNoPlaceThatDoesNotFit) {
   EXPECT_THAT(outputOf("place arm.calibration.json --robot demo --link upper_arm -o placements.json" + rotation(), 1),
               AllOf(HasSubstr("no place on link upper_arm fits"), HasSubstr("Place 1 (does not fit)")));
   EXPECT_FALSE(exists("placements.json"));
+}
+
+class CliLinks : public Cli {
+ protected:
+  /// Patches on the upper arm and the forearm of the demo robot.
+  void takePoses(int poses) const {
+    const Outcome outcome =
+        run("simulate --robot demo --seed 1 --poses " + std::to_string(poses) + " -o arm.session.json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  [[nodiscard]] nlohmann::json links(const std::string& options = "") const {
+    return nlohmann::json::parse(run("links arm.session.json --robot demo --json " + options).out);
+  }
+};
+
+TEST_F(CliLinks, PutsPatchesOnTheirLinks) {
+  takePoses(8);
+  EXPECT_THAT(outputOf("links arm.session.json --robot demo"),
+              AllOf(HasSubstr("is on link upper_arm"), HasSubstr("is on link forearm"),
+                    HasSubstr("All together: misfit"), HasSubstr("joint shoulder_roll: zero")));
+
+  const nlohmann::json json = links();
+  ASSERT_EQ(json.at("patches").size(), 2U);
+  for (const auto& patch : json.at("patches")) {
+    EXPECT_EQ(patch.at("placed").at("q_l_o_wxyz").size(), 4U);
+    EXPECT_EQ(patch.at("residuals").size(), 8U);
+  }
+  const auto& robot = json.at("robot");
+  EXPECT_EQ(robot.at("covariance_rad2").size(), 2 * 3 + robot.at("zeros").size() + 3);
+
+  // The same angles from a file.
+  EXPECT_EQ(links("--joints arm.joints.csv").at("patches"), json.at("patches"));
+}
+
+TEST_F(CliLinks, SaysWhatIsLeftOpenAndTakesTheOperatorsWord) {
+  takePoses(1);
+  EXPECT_THAT(outputOf("links arm.session.json --robot demo", 1), HasSubstr("can't be told from one pose"));
+  const nlohmann::json put = links("--put 1=upper_arm");
+  EXPECT_EQ(put.at("patches").at(0).at("placed").at("link"), "upper_arm");
+  EXPECT_TRUE(put.at("patches").at(0).at("chosen"));
+}
+
+TEST_F(CliLinks, BadInputIsRefused) {
+  takePoses(2);
+  EXPECT_EQ(run("links arm.session.json").exit_code, 2) << "no robot";
+  EXPECT_EQ(run("links arm.session.json --robot no.urdf").exit_code, 3);
+  EXPECT_EQ(run("links no.session.json --robot demo").exit_code, 3);
+  EXPECT_THAT(complaint("links arm.session.json --robot demo --put 1=upperarm", 2), HasSubstr("upper_arm"))
+      << "what may have been meant";
+  EXPECT_EQ(run("links arm.session.json --robot demo --put upper_arm").exit_code, 2);
+  EXPECT_EQ(run("links arm.session.json --robot demo --up 0,0,0").exit_code, 2);
+  writeFileAtomically(path("joints.csv"), "pose,elbow\n1,30\n");
+  EXPECT_THAT(complaint("links arm.session.json --robot demo --joints joints.csv", 3), HasSubstr("joints.csv"));
+}
+
+class CliParts : public Cli {
+ protected:
+  /// Two patches on the upper arm and one on the forearm, between which an elbow moves. Cells are numbered mount by
+  /// mount.
+  void takePoses(int poses, const std::string& options = "") const {
+    const Outcome outcome =
+        run("simulate --robot demo --mount upper_arm:0,0.05,0.1 --mount upper_arm:0,-0.05,0.2 --mount "
+            "forearm:0,0.05,0.1 --seed 1 --poses " +
+            std::to_string(poses) + " " + options + " -o arm.session.json");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  /// Of a cell on its link.
+  [[nodiscard]] Eigen::Matrix3d trueRotation(int id) const {
+    for (const auto& patch : nlohmann::json::parse(readFile(path("arm.truth.json"))).at("patches")) {
+      for (const auto& cell : patch.at("cells")) {
+        if (cell.at("id") == id) return matrixOf(cell.at("R"));
+      }
+    }
+    throw std::logic_error("no such cell in the truth");
+  }
+};
+
+TEST_F(CliParts, GroupsThePatchesOfALinkAndFindsTheElbow) {
+  takePoses(8);
+  EXPECT_THAT(outputOf("parts arm.session.json"),
+              AllOf(HasSubstr("Part 1, in the frame of cell "), HasSubstr("Part 2, in the frame of cell "),
+                    HasSubstr("together"), HasSubstr("apart"), HasSubstr("axis (")));
+
+  const auto json = jsonOf("parts arm.session.json --json");
+  ASSERT_EQ(json.at("parts").size(), 2U);
+  EXPECT_EQ(json.at("pairs").size(), 3U);
+  EXPECT_THAT(json.at("not_compared"), IsEmpty());
+  const auto& upper_arm = json.at("parts").at(0);
+  ASSERT_EQ(upper_arm.at("patches").size(), 2U);
+  for (const auto& patch : upper_arm.at("patches")) EXPECT_LE(patch.at("origin").get<int>(), 2 * 17);
+  const auto& second = upper_arm.at("patches").at(1);
+  const auto q = second.at("q_part_o_wxyz").get<std::array<double, 4>>();
+  const Eigen::Matrix3d R_part_o = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
+  const Eigen::Matrix3d off =
+      trueRotation(upper_arm.at("frame_of_cell")) * R_part_o * trueRotation(second.at("origin")).transpose();
+  const double sigma_deg = second.at("sigma_deg").get<double>();
+  EXPECT_LT(sigma_deg, 10);
+  EXPECT_LT(rotationAngle(off), 3 * sigma_deg * kDegree);
+  ASSERT_EQ(json.at("relations").size(), 1U);
+  EXPECT_EQ(json.at("relations").at(0).at("movement"), "apart");
+  EXPECT_EQ(json.at("relations").at(0).at("hinge").at("knowledge"), "found");
+}
+
+TEST_F(CliParts, TooFewPosesCantTellAndSayWhatWould) {
+  takePoses(1);
+  EXPECT_THAT(outputOf("parts arm.session.json", 1), HasSubstr("Next: "));
+  const auto json = nlohmann::json::parse(run("parts arm.session.json --json").out);
+  for (const auto& relation : json.at("relations")) {
+    EXPECT_EQ(relation.at("movement"), "cant_tell");
+    EXPECT_THAT(relation.at("what_would_tell").get<std::string>(), Not(IsEmpty()));
+    EXPECT_TRUE(relation.at("hinge").is_null());
+  }
+}
+
+TEST_F(CliParts, ASkinOfOnePatchIsOnePart) {
+  ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
+  const auto json = jsonOf("parts arm.session.json --json");
+  EXPECT_EQ(json.at("parts").size(), 1U);
+  EXPECT_THAT(json.at("relations"), IsEmpty());
+}
+
+TEST_F(CliParts, WrongFilesGetOneLine) {
+  ASSERT_EQ(run("simulate --poses 3 -o arm.session.json").exit_code, 0);
+  ASSERT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
+  EXPECT_THAT(complaint("parts arm.calibration.json", 3), HasSubstr("this is a calibration"));
+  EXPECT_THAT(complaint("parts none.session.json", 3), HasSubstr("none.session.json"));
 }
 
 }  // namespace

@@ -4,24 +4,8 @@
 
 #include "tests/app/cli/cli_program.h"
 
-#include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-#include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
-using ::testing::StartsWith;
 
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;

@@ -5,13 +5,7 @@
 #include "tests/support/child_process.h"
 #include "tests/support/paths.h"
 
-#include <signal.h>
-
-#include <stdexcept>
-#include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 

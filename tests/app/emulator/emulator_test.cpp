@@ -1,5 +1,6 @@
 // The emulator as a user would start it, and the library's own source as its host.
 
+#include "hexoderm/base/text.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/sim/exploration.h"
 #include "hexoderm/sim/simulated_skin.h"
@@ -7,24 +8,12 @@
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/core/device/sources/wire_host.h"
 
-#include <fcntl.h>
 #include <netinet/in.h>
-#include <poll.h>
-#include <signal.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -165,31 +154,24 @@ TEST(Emulator, ExploresThe31CellsOfThePaper) {
   EXPECT_EQ(delivered.frames.back().means[0].count, 20U);
 }
 
-TEST(Emulator, CellsBreakWhileItRuns) {
+// What the skin does then is for EmulatedDevice's tests.
+TEST(Emulator, CellsBreakAndAreMendedByWhatIsTyped) {
   const Emulator emulator({"--tcp", "0", "--fault", "no-samples:2"});
   Host host(emulator.address);
   ASSERT_TRUE(host.waitForFrames(1));
-  const auto waitForSamples = [&](std::size_t count) {
-    return host.listener.waitFor([&](const Delivered& d) { return d.frames.back().samples.size() == count; });
-  };
-  EXPECT_TRUE(waitForSamples(16));
-  EXPECT_THAT(emulator.type("mend 2"), HasSubstr("whole"));
-  EXPECT_TRUE(waitForSamples(17));
-  EXPECT_THAT(emulator.type("break dead 5"), HasSubstr("cell 5 is broken: dead"));
-  EXPECT_TRUE(host.listener.waitFor(
-      [](const Delivered& d) { return d.frames.back().samples.at(4).acceleration_g.norm() < 0.2; }));
-
-  // A cell that answers nobody, at the end of an arm, is not found any more.
-  EXPECT_THAT(emulator.type("break no-answer 5"), HasSubstr("explore again"));
-  EXPECT_TRUE(host.ask(ExploreAgain{}).done);
-  EXPECT_TRUE(waitForSamples(16));
-
-  // Another mould: the device starts over.
-  EXPECT_THAT(emulator.type("mend 5"), HasSubstr("whole"));
-  EXPECT_THAT(emulator.type("break wrong-port 3 1"), HasSubstr("starts again"));
-  EXPECT_TRUE(waitForSamples(17));
-  EXPECT_THAT(emulator.type("mend 3 1"), HasSubstr("whole"));
-  EXPECT_THAT(emulator.type("turn 1 0 0"), HasSubstr("turning"));
+  const std::tuple<const char*, const char*, std::size_t> typed[] = {
+      {"turn 1 0 0", "turning", 16},
+      {"mend 2", "whole", 17},
+      {"break no-samples 5", "cell 5 is broken: no-samples", 16},
+      {"mend 5", "whole", 17},
+      {"break wrong-port 3 1", "starts again", 17},
+      {"mend 3 1", "whole", 17},
+      {"break no-answer 5", "explore again", 17}};
+  for (const auto& [line, answer, cells] : typed) {
+    EXPECT_THAT(emulator.type(line), HasSubstr(answer)) << line;
+    EXPECT_TRUE(host.listener.waitFor([&](const Delivered& d) { return d.frames.back().samples.size() == cells; }))
+        << line;
+  }
 }
 
 TEST(Emulator, TheWireHasFaults) {
@@ -335,26 +317,11 @@ TEST(Emulator, NeverWaitsForAHostThatDoesNotReadAndLeavesItForTheNext) {
 
 TEST(Emulator, SaysWhatItDoesNotUnderstand) {
   Emulator emulator({"--tcp", "0"});
-  for (const std::string line : {"nonsense",
-                                 "break",
-                                 "break dead",
-                                 "break dead x",
-                                 "break dead 99",
-                                 "break rotten 3",
-                                 "break joint 1 9",
-                                 "break wrong-port 99 1",
-                                 "mend 99",
-                                 "mend 3 1",
-                                 "drop",
-                                 "drop 120%",
-                                 "drop x",
-                                 "silence 20%",
-                                 "turn 0 0 0",
-                                 "turn 1 2",
-                                 "turn 1 2 nan",
-                                 "led 0",
-                                 "led x",
-                                 "status please"}) {
+  const std::string wrong =
+      "nonsense|break|break dead|break dead x|break dead 99|break rotten 3|break joint 1 9|break wrong-port 99 1|mend "
+      "99|"
+      "mend 3 1|drop|drop 120%|drop x|silence 20%|turn 0 0 0|turn 1 2|turn 1 2 nan|led 0|led x|status please";
+  for (const std::string& line : split(wrong, '|')) {
     EXPECT_THAT(emulator.type(line), StartsWith("error: ")) << line;
   }
   EXPECT_THAT(emulator.type("help"), HasSubstr("standard input"));
@@ -366,21 +333,26 @@ TEST(Emulator, SaysWhatItDoesNotUnderstand) {
 TEST(Emulator, EndsWithTheCodesOfTheOtherPrograms) {
   Emulator emulator({"--tcp", "0"});
   const std::string port = emulator.address.substr(emulator.address.rfind(':') + 1);
-  const auto codeOf = [](std::vector<std::string> arguments) { return Program(std::move(arguments)).wait(); };
-  EXPECT_EQ(codeOf({"--tcp", port}), 4) << "the port is taken";
-  EXPECT_EQ(codeOf({}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--pty"}), 2);
-  EXPECT_EQ(codeOf({"--udp", "0", "--json"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--patch", "blob"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--rate", "5000"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--fault", "rotten:1"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--bind", "nowhere"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "none.urdf", "--mount", "a:0,0,0"}), 3);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "none.urdf"}), 2) << "without a mount";
-  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "demo", "--mount", "fore_arm:0,0,0"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--robot", "demo", "--base", "table"}), 2);
-  EXPECT_EQ(codeOf({"--tcp", "0", "--mount", "forearm:0,0,0"}), 2) << "without a robot";
-  EXPECT_EQ(codeOf({"--help"}), 0);
+  const std::pair<const char*, int> cases[] = {
+      {"", 2},
+      {"--help", 0},
+      {"--tcp 0 --pty", 2},
+      {"--udp 0 --json", 2},
+      {"--tcp 0 --patch blob", 2},
+      {"--tcp 0 --rate 5000", 2},
+      {"--tcp 0 --fault rotten:1", 2},
+      {"--tcp 0 --bind nowhere", 2},
+      {"--tcp 0 --robot none.urdf --mount a:0,0,0", 3},
+      {"--tcp 0 --robot none.urdf", 2},
+      {"--tcp 0 --robot demo --mount fore_arm:0,0,0", 2},
+      {"--tcp 0 --robot demo --base table", 2},
+      {"--tcp 0 --mount forearm:0,0,0", 2},
+  };
+  const auto codeOf = [](const std::string& line) {
+    return Program(line.empty() ? std::vector<std::string>() : split(line, ' ')).wait();
+  };
+  EXPECT_EQ(codeOf("--tcp " + port), 4) << "the port is taken";
+  for (const auto& [line, code] : cases) EXPECT_EQ(codeOf(line), code) << line;
   EXPECT_EQ(emulator.type("quit"), "bye");
   EXPECT_EQ(emulator.wait(), 0);
 }

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Calls that do not fit: which argument is to blame, and what is expected."""
 
 import pathlib
@@ -62,7 +61,3 @@ class Arguments(unittest.TestCase):
         self.assertEqual(len(hexoderm.simulate(poses=np.int64(3)).poses), 3)
         self.assertEqual(hexoderm.solve(self.session, without=np.array([3])).options["without"], [3])
         self.assertRaises(hexoderm.StorageError, hexoderm.simulate, cell_model=pathlib.Path("none"))
-
-
-if __name__ == "__main__":
-    unittest.main()

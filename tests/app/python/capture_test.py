@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Live captures: from a simulated skin, over a wire and from a recording."""
 
 import os
@@ -165,7 +164,3 @@ time.sleep(0.3)
         for _ in range(5):
             result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-
-
-if __name__ == "__main__":
-    unittest.main()

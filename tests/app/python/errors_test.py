@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Exceptions say what the command line says."""
 
 import unittest
@@ -134,7 +133,3 @@ class Errors(InFolder):
         self.assertTrue(issubclass(hexoderm.FormatError, ValueError))
         self.assertTrue(issubclass(hexoderm.StorageError, OSError))
         self.assertTrue(issubclass(hexoderm.DeviceError, OSError))
-
-
-if __name__ == "__main__":
-    unittest.main()

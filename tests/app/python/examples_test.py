@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The script of resources/examples ends in a picture, and the code of the module's page runs."""
 
 import os
@@ -38,7 +37,3 @@ class Examples(InFolder):
         result = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, cwd=self.folder)
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(result.stdout, "".join(printed for _, printed in blocks))
-
-
-if __name__ == "__main__":
-    unittest.main()

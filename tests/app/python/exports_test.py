@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Exports are those of the command line."""
 
 import os
@@ -91,7 +90,3 @@ class Exports(InFolder):
         calibration = hexoderm.solve(session)
         remarks = calibration.export("ply", self.folder / "a.ply").remarks
         self.assertTrue(remarks[0].startswith("Not in the file: "), remarks)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """A thousand solutions leave nothing behind: the memory of the process stays as it is."""
 
 import gc
@@ -37,8 +36,3 @@ class Memory(unittest.TestCase):
         growth = resident_bytes() - before
         print(f"{SOLVED} solutions: {before / 2**20:.1f} MiB before, {growth / 1024:+.0f} KiB")
         self.assertLess(growth, MOST_GROWTH_BYTES)
-
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -6,6 +6,9 @@ import subprocess
 import tempfile
 import unittest
 
+import hexoderm
+import numpy as np
+
 CLI = os.environ["HEXODERM_CLI"]
 EMULATOR = os.environ["HEXODERM_EMULATOR"]
 
@@ -29,3 +32,9 @@ class InFolder(unittest.TestCase):
         code, out, error = run(*arguments)
         self.assertIn(code, (0, 1), error)
         return out
+
+
+def as_arrays(session, **others):
+    """The same session, made of its arrays."""
+    return hexoderm.Session.from_arrays(session.readings, session.links, cells=session.cells, counts=session.counts,
+                                        **{"covariances": np.nan_to_num(session.covariances), **others})

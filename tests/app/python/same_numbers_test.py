@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The module and the command line make the same sessions and the same calibrations, to the last bit."""
 
 import unittest
@@ -75,8 +74,3 @@ class SameNumbers(InFolder):
         self.run_well("solve", self.folder / "s.hexo", "-o", self.folder / "s.json")
         calibration = hexoderm.solve(hexoderm.read_session(self.folder / "s.hexo"))
         self.assertEqual(calibration.to_json().encode(), (self.folder / "s.json").read_bytes())
-
-
-
-if __name__ == "__main__":
-    unittest.main()

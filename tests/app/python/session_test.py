@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Sessions: as arrays, as files, and changed."""
 
 import pathlib
@@ -7,12 +6,7 @@ import unittest
 
 import hexoderm
 import numpy as np
-from program import InFolder
-
-
-def as_arrays(session, **others):
-    return hexoderm.Session.from_arrays(session.readings, session.links, cells=session.cells,
-                                        covariances=np.nan_to_num(session.covariances), counts=session.counts, **others)
+from program import InFolder, as_arrays
 
 
 class Arrays(unittest.TestCase):
@@ -197,7 +191,3 @@ class Changes(unittest.TestCase):
             self.assertEqual(hexoderm.simulate(cell_model=path).cell_model.name, model.name)
         own = hexoderm.CellModel.from_json(model.to_json().replace('"hex-bma150"', '"own"'))
         self.assertEqual(hexoderm.simulate(cell_model=own).cell_model.name, "own")
-
-
-if __name__ == "__main__":
-    unittest.main()

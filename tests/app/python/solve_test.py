@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """Solutions: what they hold, and that Python goes on while they are made."""
 
 import json
@@ -12,6 +11,7 @@ import unittest
 
 import hexoderm
 import numpy as np
+from program import as_arrays
 
 
 class Solutions(unittest.TestCase):
@@ -84,9 +84,7 @@ class Solutions(unittest.TestCase):
 
     def test_a_mean_is_no_better_than_a_hands_tremor(self):
         def of(covariances):
-            session = hexoderm.Session.from_arrays(self.session.readings, self.session.links, covariances=covariances,
-                                                   counts=self.session.counts)
-            calibration = hexoderm.solve(session)
+            calibration = hexoderm.solve(as_arrays(self.session, covariances=covariances))
             noise = [pose["noise_g"] for pose in json.loads(calibration.to_json())["poses"]]
             return calibration.verdict.position_95_m, min(noise)
 
@@ -193,5 +191,37 @@ print(hexoderm.solve(hexoderm.simulate(poses=3)).verdict.level)
             self.assertEqual(process.stdout.read(), "interrupted\ngood\n")
 
 
-if __name__ == "__main__":
-    unittest.main()
+def turned_by(degrees):
+    """The cell model with its chip turned about z."""
+    model = json.loads(hexoderm.CellModel.load("hex-bma150").to_json())
+    half = np.radians(degrees) / 2
+    model["accelerometer"]["q_u_wxyz"] = [np.cos(half), 0, 0, np.sin(half)]
+    return hexoderm.CellModel.from_json(json.dumps(model))
+
+
+class WrongAxes(unittest.TestCase):
+    """A chip that is turned by 90 degrees where the cell model says otherwise."""
+
+    def solved(self, degrees, skin):
+        session = hexoderm.simulate(poses=4, cell_model=turned_by(90), **skin)
+        seen = as_arrays(session, cell_model=turned_by(degrees), truth=session.truth)
+        return hexoderm.solve(seen), seen
+
+    def test_the_signs_of_bends_tell_what_is_not_found(self):
+        curved = [dict(patch="sheet:5x5", surface="cylinder:r=0.06"), dict(patch="sheet:5x5", surface="sphere:r=0.08"), {}]
+        chains = [dict(patch="ring9"), dict(patch="sheet:1x8", surface="cylinder:r=0.06")]
+        # On a convex part bends are positive; half a turn makes them negative, a quarter turn makes chains twist.
+        for degrees, skins in ((90, [*curved, chains[0]]), (-90, curved), (0, chains)):
+            for skin in skins:
+                with self.subTest(degrees=degrees, **skin):
+                    calibration, seen = self.solved(degrees, skin)
+                    bends, twists = (np.degrees([getattr(link, name) for link in calibration.patches[0].links])
+                                     for name in ("bend_rad", "twist_rad"))
+                    self.assertEqual(calibration.findings, [])
+                    self.assertGreater((twists if degrees == 0 else np.sign(degrees) * bends).min(), 10)
+                    if degrees >= 0:
+                        self.assertLess(abs((bends if degrees == 0 else twists).mean()), 2)
+                    error_m = calibration.compare(seen)[0].position_rms_m
+                    self.assertTrue(error_m < 0.005 if degrees == 90 else error_m > 0.01, error_m)
+        found = [finding.code for finding in self.solved(0, curved[0])[0].findings]
+        self.assertIn("contradicts-model", found)

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The stubs say what the module has, with the same arguments; and a script that uses it passes a strict type check."""
 
 import ast
@@ -91,7 +90,3 @@ class Stubs(unittest.TestCase):
 
     def test_the_package_lists_what_it_has(self):
         self.assertEqual(set(hexoderm.__all__), {name for name in dir(_core) if not name.startswith("_")})
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The command line of hexoderm-ros: its help, its exit codes, and one line for whatever is wrong. No ROS is needed."""
 
 import json
@@ -97,7 +96,3 @@ class Commands(InFolder):
                             f"127.0.0.1:{port}: Address already in use; choose another by --port")
         self.assertEnds(self.ros("skin", self.skin(), "--address", "nowhere.invalid", modules=("rospy", "rosgraph", "tf2_ros")), 4,
                         "nowhere.invalid:7700: ")
-
-
-if __name__ == "__main__":
-    unittest.main()

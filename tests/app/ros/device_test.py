@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """What hexoderm-ros sends is a skin to the command line: captured, and without an offence. No ROS is needed for it."""
 
 import contextlib
@@ -117,7 +116,3 @@ class Devices(InFolder):
         ack = next(each["ack"] for each in found if "ack" in each)
         self.assertEqual((ack["command"], ack["done"]), (4, False))
         self.assertTrue(any("hello" in each for each in found))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """What becomes of messages: the mapping that ROS 1 and ROS 2 share, without either."""
 
 import json
@@ -267,7 +266,3 @@ class Transforms(InFolder):
                 read_transforms(self.folder / name)
         with self.assertRaisesRegex(TransformError, "cannot be read"):
             read_transforms(self.folder / "none")
-
-
-if __name__ == "__main__":
-    unittest.main()

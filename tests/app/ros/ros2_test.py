@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """The node of ROS 2 against a stand-in of rclpy: what it subscribes to and publishes. It was never run with ROS 2."""
 
 import sys
@@ -148,7 +147,3 @@ class Ros2(unittest.TestCase):
         self.assertEqual((sent[0].header.frame_id, sent[0].child_frame_id), ("base", "cell"))
         self.assertEqual(sent[0].header.stamp, "now")
         self.assertEqual((sent[0].transform.translation.z, sent[0].transform.rotation.w), (3, 1))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """ROS 1 as it is: a master, bags that are played to hexoderm-cli through hexoderm-ros, and TF that is looked up."""
 
 import contextlib
@@ -350,7 +349,3 @@ class Ros1(InFolder):
         placed = buffer.lookup_transform("forearm", "skin_patch0", rospy.Time(0), rospy.Duration(20)).transform
         self.assertAlmostEqual(placed.translation.z, 0.1)
         listener.unregister()
-
-
-if __name__ == "__main__":
-    unittest.main(warnings="ignore")  # rospy leaves sockets open

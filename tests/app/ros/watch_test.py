@@ -1,4 +1,3 @@
-#!/usr/bin/env python3
 """What is said of topics that bring nothing, of what is left out, and of clocks that differ. No ROS is needed for it."""
 
 import unittest
@@ -117,7 +116,3 @@ class Watches(unittest.TestCase):
         self.assertEqual(self.clocks({2: 0.4}), [])
         # For a moment topics may be apart.
         self.assertEqual(self.clocks({6: 3600}, looks=2), [])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -4,17 +4,6 @@
 #include "tests/app/window/keyboard.h"
 #include "tests/screenshots/text_fit.h"
 
-#include <QAbstractButton>
-#include <QAbstractItemView>
-#include <QAccessible>
-#include <QDialog>
-#include <QMenuBar>
-#include <QPointer>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QSet>
-#include <QTabWidget>
-
 namespace hexoderm {
 namespace {
 

@@ -2,11 +2,6 @@
 
 #include "tests/app/window/window_test.h"
 
-#include <QComboBox>
-#include <QTabBar>
-#include <algorithm>
-#include <vector>
-
 namespace hexoderm {
 
 /// The window with nobody at the mouse: everything a test does here is a key, sent to where keys go.
@@ -23,7 +18,7 @@ class KeyboardTest : public WindowTest {
   }
   static QString focusName() { return nameOf(QApplication::focusWidget()); }
   static QString nameOf(const QWidget* widget) {
-    if (!widget) return QStringLiteral("nothing");
+    if (!widget) return "nothing";
     return QStringLiteral("%1 \"%2\" %3")
         .arg(widget->metaObject()->className(), widget->objectName(), widget->accessibleName());
   }

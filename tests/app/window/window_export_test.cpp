@@ -6,12 +6,7 @@
 #include "tests/app/window/window_test.h"
 #include "tests/support/failing_disk.h"
 
-#include <QComboBox>
-#include <QDesktopServices>
-#include <QListWidget>
-#include <QUrl>
 #include <filesystem>
-#include <functional>
 
 namespace hexoderm {
 namespace {
@@ -21,8 +16,8 @@ class FolderOpener : public QObject {
   Q_OBJECT
 
  public:
-  FolderOpener() { QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "open"); }
-  ~FolderOpener() override { QDesktopServices::unsetUrlHandler(QStringLiteral("file")); }
+  FolderOpener() { QDesktopServices::setUrlHandler("file", this, "open"); }
+  ~FolderOpener() override { QDesktopServices::unsetUrlHandler("file"); }
   QStringList opened;
 
  public slots:
@@ -31,6 +26,10 @@ class FolderOpener : public QObject {
 
 class WindowExportTest : public WindowTest {
  protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+  }
   /// Chooses the row of a format in the open dialog, "CALIBRATION" for Hexoderm's own.
   static void choose(QDialog* dialog, const QString& format) {
     auto* formats = dialog->findChild<QListWidget*>("exportFormats");
@@ -61,7 +60,6 @@ class WindowExportTest : public WindowTest {
 };
 
 TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   std::vector<std::pair<QString, QString>> files = {{"Calibration", ".calibration.json"}};
   for (const ExportFormatDescription& format : exportFormats()) {
     files.emplace_back(QString::fromStdString(std::string(format.name)).toUpper(),
@@ -78,32 +76,26 @@ TEST_F(WindowExportTest, EveryFormatIsWrittenWhereTheMessageSays) {
       for (const char* table : {"cells.csv", "links.csv", "poses.csv", "residuals.csv", "covariances.csv"}) {
         EXPECT_TRUE(QFile::exists(path + '/' + table)) << table;
       }
-      click(find<QWidget>("messageClose"));
+      closeMessage();
       ASSERT_NO_FATAL_FAILURE(exportAs(format, path));
       ASSERT_TRUE(waitForMessage("Exported to " + path)) << "tables are replaced when asked";
     } else {
       EXPECT_GT(written.size(), 500) << path.toStdString();
     }
     // No message of the one before is taken for the next one's.
-    click(find<QWidget>("messageClose"));
+    closeMessage();
   }
   EXPECT_EQ(readCalibrationJson(pathTo("Calibration-of-the-arm.calibration.json").toStdString())->cellCount(), 17U);
 }
 
-TEST_F(WindowExportTest, TheNameKeepsItsBeginningAndTakesTheFormatsEnding) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+TEST_F(WindowExportTest, AFormatsEndingIsInTheNameAndItsOptionsAreInTheFile) {
   QDialog* dialog = openExportDialog();
-  const auto* edit = dialog->findChild<QLineEdit*>("exportPath");
-  EXPECT_EQ(edit->text(), pathTo("arm.calibration.json"));
+  const auto* path = dialog->findChild<QLineEdit*>("exportPath");
+  EXPECT_EQ(path->text(), pathTo("arm.calibration.json"));
   for (const ExportFormatDescription& format : exportFormats()) {
     ASSERT_NO_FATAL_FAILURE(choose(dialog, QString::fromStdString(std::string(format.name))));
-    EXPECT_EQ(edit->text(), pathTo("arm" + QString::fromStdString(std::string(format.extension))));
+    EXPECT_EQ(path->text(), pathTo("arm" + QString::fromStdString(std::string(format.extension))));
   }
-}
-
-TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  QDialog* dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
   for (const auto& [name, text] : {std::pair("export-model-name", "arm7"), std::pair("export-parent", "elbow_link"),
                                    std::pair("export-prefix", "tactile_")}) {
@@ -115,15 +107,13 @@ TEST_F(WindowExportTest, OptionsOfAFormatAreInTheFile) {
   QTest::keyClick(dialog->findChild<QComboBox*>("export-links"), Qt::Key_Down);
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Exported to "));
-  const QByteArray urdf = contentOf(pathTo("arm.urdf"));
-  for (const char* part : {"<robot name=\"arm7\"", "elbow_link", "tactile_"}) {
-    EXPECT_TRUE(urdf.contains(part)) << part;
-  }
+  const QString urdf = contentOf(pathTo("arm.urdf"));
+  EXPECT_THAT(urdf, HasTexts({"<robot name=\"arm7\"", "elbow_link", "tactile_"}));
   EXPECT_EQ(urdf.count("<joint "), 1) << "one link for the patch";
 }
 
 TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
-  ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
+  ASSERT_NO_FATAL_FAILURE(openFile(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   ASSERT_EQ(controller().reconstruction()->patches.size(), 2U);
   QDialog* dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "Calibration"));
@@ -134,17 +124,17 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("tables"));
   EXPECT_TRUE(patchOf()->isVisible());
   EXPECT_EQ(patchOf()->currentText(), "All, each in its own frame");
-  EXPECT_FALSE(noteOf().contains("Not in the file")) << noteOf().toStdString();
+  EXPECT_THAT(noteOf(), Not(HasText("Not in the file")));
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
   EXPECT_EQ(patchOf()->count(), 2) << "one frame, one patch";
   EXPECT_EQ(patchOf()->currentText(), "Patch of cell 2, 2 cells");
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("large.ply"));
-  EXPECT_TRUE(noteOf().contains("Not in the file: the patch of cell 7 (1 cell)")) << noteOf().toStdString();
+  EXPECT_THAT(noteOf(), HasText("Not in the file: the patch of cell 7 (1 cell)"));
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Not in the file: the patch of cell 7 (1 cell)"));
-  EXPECT_TRUE(message().contains("Exported to " + pathTo("large.ply"))) << message().toStdString();
+  EXPECT_THAT(message(), HasText("Exported to " + pathTo("large.ply")));
   EXPECT_TRUE(contentOf(pathTo("large.ply")).contains("in the frame of cell 2,"));
-  click(find<QWidget>("messageClose"));
+  closeMessage();
 
   dialog = openExportDialog();
   ASSERT_NO_FATAL_FAILURE(choose(dialog, "PLY"));
@@ -153,18 +143,17 @@ TEST_F(WindowExportTest, OfSeveralPatchesOneIsChosenAndTheOthersAreNamed) {
   dialog->findChild<QLineEdit*>("exportPath")->setText(pathTo("lonely.ply"));
   click(dialog->findChild<QPushButton*>("exportButton"));
   ASSERT_TRUE(waitForMessage("Exported to " + pathTo("lonely.ply")));
-  EXPECT_TRUE(message().contains("the patch of cell 2 (2 cells)")) << message().toStdString();
+  EXPECT_THAT(message(), HasText("the patch of cell 2 (2 cells)"));
   EXPECT_TRUE(contentOf(pathTo("lonely.ply")).contains("in the frame of cell 7,"));
 }
 
 TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritten) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   press(Qt::Key_F12);
   ASSERT_TRUE(waitForMessage("Exported to "));
   const QString window_picture = message().section("Exported to ", 1);
   EXPECT_EQ(QImage(window_picture).size(), window_->size() * window_->devicePixelRatioF()) << message().toStdString();
   QFile::remove(window_picture);  // it may be among the user's own
-  click(find<QWidget>("messageClose"));
+  closeMessage();
 
   action("actionScenePicture")->trigger();
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo("view.png")));
@@ -174,8 +163,26 @@ TEST_F(WindowExportTest, PicturesOfTheWindowAndOfTheThreeDimensionalViewAreWritt
   EXPECT_GT(coloursIn(view), 50U) << "the skin is in it";
 }
 
+TEST_F(WindowExportTest, TheDialogSaysWhatIsMissing) {
+  QDialog* dialog = openExportDialog();
+  auto* edit = dialog->findChild<QLineEdit*>("exportPath");
+  const auto* button = dialog->findChild<QPushButton*>("exportButton");
+  EXPECT_TRUE(button->isEnabled());
+  edit->clear();
+  EXPECT_FALSE(button->isEnabled());
+  QTest::keyClicks(edit, pathTo("no/such/folder/a.stl"));
+  EXPECT_FALSE(button->isEnabled());
+  EXPECT_THAT(dialog->findChild<QLabel*>("exportNote")->text(), HasText("There is no folder"));
+  ASSERT_NO_FATAL_FAILURE(choose(dialog, "URDF"));
+  edit->setText(pathTo("arm.urdf"));
+  EXPECT_TRUE(button->isEnabled());
+  dialog->findChild<QLineEdit*>("export-parent")->clear();
+  EXPECT_FALSE(button->isEnabled()) << "a link needs a name";
+  QTest::keyClick(dialog, Qt::Key_Escape);
+  EXPECT_TRUE(waitUntilGone("exportDialog"));
+}
+
 TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   FolderOpener desktop;
   ASSERT_TRUE(QDir(folder_.path()).mkdir("out"));
   ASSERT_NO_FATAL_FAILURE(exportAs("DOT", pathTo("out/arm.dot")));
@@ -186,13 +193,12 @@ TEST_F(WindowExportTest, OpenFolderOpensWhereTheFileIs) {
 }
 
 TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   const QString path = writeFile("arm.ply", "what was there");
   {
     const test::NoFileGrows full;
     ASSERT_NO_FATAL_FAILURE(exportAs("PLY", path));
     ASSERT_TRUE(waitForMessage("arm.ply"));
-    EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+    EXPECT_THAT(message(), Not(HasText("Exported")));
   }
   EXPECT_EQ(contentOf(path), "what was there");
   EXPECT_EQ(QDir(folder_.path()).entryList({"*.ply*", ".*ply*"}, QDir::Files | QDir::Hidden), QStringList("arm.ply"))
@@ -202,7 +208,6 @@ TEST_F(WindowExportTest, AFullDiskLeavesTheEarlierFileAsItWas) {
 }
 
 TEST_F(WindowExportTest, NothingReplacesASession) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   const std::string open_session = pathTo("arm.hexo").toStdString();
   std::filesystem::create_hard_link(open_session, pathTo("arm.html").toStdString());
   std::filesystem::create_symlink(open_session, pathTo("arm.zip").toStdString());
@@ -212,25 +217,23 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
   QString package_failed;
   QObject::connect(&files, &ResultFiles::packageFailed, &files,
                    [&](const QString& message) { package_failed = message; });
-  const std::pair<QString, std::function<void(const QString&)>> ways[] = {
-      {pathTo("arm.hexo"),
-       [&](const QString& path) {
-         files.exportTo({std::nullopt, path, {}});
-       }},
-      {pathTo("arm.html"),
-       [&](const QString& path) {
-         files.exportTo({ExportFormat::Stl, path, {}});
-       }},
-      {pathTo("arm.zip"), [&](const QString& path) { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); }},
-      {pathTo("arm.html"), [&](const QString& path) { files.savePicture([] { return true; }, path); }},
-      {pathTo("arm.zip"), [&](const QString& path) { files.saveTable("a,b", path); }},
-      {pathTo("arm.html"), [&](const QString& path) { files.writeReport(report, path); }},
+  using Write = std::function<void(const QString& path)>;
+  const auto exported = [&files](std::optional<ExportFormat> format) -> Write {
+    return [&files, format](const QString& path) { files.exportTo({format, path, {}}); };
   };
-  for (const auto& [path, write] : ways) {
-    write(path);
-    ASSERT_TRUE(waitForMessage("never replaced")) << path.toStdString();
-    EXPECT_TRUE(message().contains(path)) << message().toStdString();
-    click(find<QWidget>("messageClose"));
+  const std::pair<const char*, Write> ways[] = {
+      {"arm.hexo", exported(std::nullopt)},
+      {"arm.html", exported(ExportFormat::Stl)},
+      {"arm.zip", [&](const QString& path) { files.saveImage(QImage(8, 8, QImage::Format_RGB32), path); }},
+      {"arm.html", [&](const QString& path) { files.savePicture([] { return true; }, path); }},
+      {"arm.zip", [&](const QString& path) { files.saveTable("a,b", path); }},
+      {"arm.html", [&](const QString& path) { files.writeReport(report, path); }},
+  };
+  for (const auto& [name, write] : ways) {
+    write(pathTo(name));
+    ASSERT_TRUE(waitForMessage("never replaced")) << name;
+    EXPECT_THAT(message(), HasText(pathTo(name)));
+    closeMessage();
   }
   PackageRequest package;
   package.formats = {ExportFormat::Stl};
@@ -243,7 +246,6 @@ TEST_F(WindowExportTest, NothingReplacesASession) {
 }
 
 TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ResultFiles& files = controller().resultFiles();
   const QString calibration = pathTo("arm.calibration.json");
   files.exportTo({std::nullopt, calibration, {}});
@@ -256,12 +258,12 @@ TEST_F(WindowExportTest, NoExportReplacesTheFileThatIsOpen) {
   for (const QString& path : {calibration, session}) {
     ASSERT_NO_FATAL_FAILURE(openFile(path));
     const QByteArray before = contentOf(path);
-    files.exportTo({ExportFormat::Ply, path, {}});
-    ASSERT_TRUE(waitForMessage("is one of the inputs"));
-    click(find<QWidget>("messageClose"));
-    files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
-    ASSERT_TRUE(waitForMessage("is one of the inputs"));
-    click(find<QWidget>("messageClose"));
+    for (const bool is_picture : {false, true}) {
+      if (is_picture) files.saveImage(QImage(8, 8, QImage::Format_RGB32), path);
+      if (!is_picture) files.exportTo({ExportFormat::Ply, path, {}});
+      ASSERT_TRUE(waitForMessage("is one of the inputs"));
+      closeMessage();
+    }
     EXPECT_EQ(contentOf(path), before);
   }
   controller().file().saveSession(session);
@@ -279,12 +281,11 @@ TEST_F(WindowExportTest, ASkinWithoutCellsIsShownAndSaysWhatCanNotBeMadeOfIt) {
   EXPECT_FALSE(window_->picture().isNull());
   ASSERT_NO_FATAL_FAILURE(exportAs("STL", pathTo("empty.stl")));
   ASSERT_TRUE(waitForMessage("cell"));
-  EXPECT_FALSE(message().contains("Exported")) << message().toStdString();
+  EXPECT_THAT(message(), Not(HasText("Exported")));
   EXPECT_FALSE(QFile::exists(pathTo("empty.stl")));
 }
 
 }  // namespace
 }  // namespace hexoderm
 
-#include "tests/support/paths.h"
 #include "window_export_test.moc"

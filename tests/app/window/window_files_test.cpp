@@ -1,14 +1,123 @@
+// Opening each kind of file, whole and broken; saving; and the program as a user starts it.
+
+#include "hexoderm/io/calibration_json.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/tables/finding_table.h"
 
-#include <QProcess>
-#include <QToolButton>
-#include <QUrl>
-
 namespace hexoderm {
 namespace {
+
+class WindowOpenTest : public WindowTest {
+ protected:
+  /// By the dialog of Ctrl+O.
+  void openByKeys(const QString& path) {
+    press(Qt::Key_O, Qt::ControlModifier);
+    ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("openDialog", path));
+  }
+  /// The same, to its result.
+  void openAndWait(const QString& path) {
+    ASSERT_NO_FATAL_FAILURE(openByKeys(path));
+    const QString name = QFileInfo(path).fileName();
+    ASSERT_TRUE(waitUntil([&] { return controller().file().name() == name; })) << name.toStdString();
+    ASSERT_TRUE(waitUntilIdle());
+  }
+};
+
+TEST_F(WindowOpenTest, SessionsOfBothKindsCalibrationsAndTumFilesOpenByTheSameKeysWhateverTheyAreCalled) {
+  const Session session = simulated(3);
+  writeSessionJson(session, pathTo("misnamed.xml").toStdString());
+  ASSERT_NO_FATAL_FAILURE(openAndWait(pathTo("misnamed.xml")));
+  EXPECT_EQ(posesShown(), 3U);
+  EXPECT_FALSE(controller().file().isKept());
+
+  ASSERT_NO_FATAL_FAILURE(openAndWait(writeSession("b.hexo", session)));
+  EXPECT_EQ(posesShown(), 3U);
+  EXPECT_TRUE(controller().file().isKept()) << "a session store keeps every change";
+
+  writeCalibrationJson(*controller().reconstruction(), pathTo("c.calibration.json").toStdString());
+  ASSERT_NO_FATAL_FAILURE(openAndWait(pathTo("c.calibration.json")));
+  EXPECT_EQ(controller().session(), nullptr);
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
+  expectDisabled("actionSave", "calibration is open");
+  EXPECT_TRUE(action("actionExport")->isEnabled());
+  clickRow("poseView", 0);
+  EXPECT_FALSE(action("actionTogglePose")->isEnabled());
+
+  ASSERT_NO_FATAL_FAILURE(openAndWait(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
+  EXPECT_EQ(controller().reconstruction()->patches.size(), 2U);
+  EXPECT_FALSE(find<QWidget>("messageBar")->isVisible()) << message().toStdString();
+}
+
+// What is wrong within files is for the tests of their readers to find in full.
+TEST_F(WindowOpenTest, ABrokenFileIsNamedWithItsPlaceAndNothingIsLost) {
+  const Session session = simulated(3);
+  QByteArray wrong_types = QByteArray::fromStdString(sessionToJson(session));
+  wrong_types.replace("\"mean_g\": [", "\"mean_g\": [\"up\", ");
+  const auto half = [](const QByteArray& content) { return content.left(content.size() / 2); };
+  const struct {
+    QString file;
+    QByteArray content;
+    QString said;  ///< beside the file's name
+  } broken[] = {
+      {"png.session.json", "\x89PNG\r\n\x1a\n", "none of the files"},
+      {"types.session.json", wrong_types, "poses[0].samples[0].mean_g"},
+      {"cut.hexo", half(contentOf(writeSession("whole.hexo", session))), {}},
+      {"cut.calibration.json", half(QByteArray::fromStdString(calibrationToJson(*reconstruct(*session.snapshot())))),
+       "line"},
+      {"cut.xml", half(contentOf(HEXODERM_TEST_DATA "/two_patches.tum.xml")), "line"},
+  };
+  ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
+  ASSERT_NO_FATAL_FAILURE(disablePose(1));
+  for (const auto& [file, content, said] : broken) {
+    const QString path = writeFile(file, content);
+    ASSERT_NO_FATAL_FAILURE(openByKeys(path));
+    ASSERT_TRUE(waitForMessage(file));
+    EXPECT_THAT(message(), HasText(said));
+    EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
+    EXPECT_FALSE(message().contains('\n')) << "one line";
+    EXPECT_EQ(contentOf(path), content) << "no file that was opened is changed";
+  }
+  EXPECT_EQ(controller().file().name(), "open.hexo");
+  EXPECT_EQ(posesShown(), 2U);
+  EXPECT_EQ(controller().undoStack()->count(), 1);
+  EXPECT_TRUE(controller().session()->poses()[1].disabled);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  ASSERT_TRUE(waitUntilIdle());
+  EXPECT_FALSE(controller().session()->poses()[1].disabled) << "the work goes on";
+}
+
+TEST_F(WindowOpenTest, AFileThatIsGoneAFolderAndARecordingAreSaid) {
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("folder.session.json"));
+  writeFile("arm.skinrec", QByteArray("SKINREC1") + QByteArray(100, '\0'));
+  for (const char* name : {"gone.hexo", "folder.session.json", "arm.skinrec"}) {
+    window_->openFile(pathTo(name));
+    ASSERT_TRUE(waitForMessage(name));
+    EXPECT_TRUE(controller().isEmpty()) << name;
+  }
+  EXPECT_TRUE(message().contains("connect", Qt::CaseInsensitive)) << "where a recording belongs";
+}
+
+TEST_F(WindowOpenTest, ASessionThatIsOpenInTwoWindowsIsKeptByTheFirst) {
+  const QString path = writeSession("shared.hexo", simulated(3));
+  ASSERT_NO_FATAL_FAILURE(openFile(path));
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept(); }));
+  const std::unique_ptr<MainWindow> first = std::move(window_);
+
+  openWindow();
+  window_->openFile(path);
+  ASSERT_TRUE(waitForPoses(3));
+  ASSERT_TRUE(waitForMessage("will not be kept in this file"));
+  EXPECT_FALSE(controller().file().isKept());
+  ASSERT_NO_FATAL_FAILURE(disablePose(0));
+  EXPECT_TRUE(controller().file().hasUnsavedChanges()) << "what is done here must be saved elsewhere";
+  EXPECT_FALSE(readSessionStore(path.toStdString()).poses()[0].disabled);
+  EXPECT_FALSE(first->controller().session()->poses()[0].disabled);
+  first->controller().removePose(2);
+  ASSERT_TRUE(waitUntil([&] { return readSessionStore(path.toStdString()).poses().size() == 2; }))
+      << "the first goes on";
+}
 
 using WindowFilesTest = WindowTest;
 
@@ -25,8 +134,7 @@ TEST_F(WindowFilesTest, ADroppedSessionIsOpenedAndAClickOnAFindingPicksWhatItIsA
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().file().name(), "row.session.json");
   EXPECT_EQ(controller().reconstruction()->cellCount(), 3U);
-  EXPECT_FALSE(action("actionCapture")->isEnabled());
-  EXPECT_TRUE(action("actionCapture")->toolTip().contains("No skin is connected"));
+  expectDisabled("actionCapture", "No skin is connected");
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
 
   const auto* findings = qobject_cast<FindingTable*>(find<QTableView>("findingView")->model());
@@ -60,9 +168,7 @@ TEST_F(WindowFilesTest, SavesByKeysAndReopensTheSame) {
   EXPECT_EQ(readSessionJson(path.toStdString()).poses().size(), 2U);
 
   // From now on Ctrl+S does not ask.
-  clickRow("poseView", 0);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(disablePose(0));
   EXPECT_TRUE(controller().file().hasUnsavedChanges());
   press(Qt::Key_S, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return !controller().file().hasUnsavedChanges(); }));
@@ -139,7 +245,7 @@ Finished runProgram(const QStringList& arguments, const QString& demo_source = {
     QSettings(home.filePath("Hexoderm/hexoderm.conf"), QSettings::IniFormat).setValue("demo/source", demo_source);
   }
   process.setProcessEnvironment(environment);
-  process.start(QStringLiteral(HEXODERM_PROGRAM), arguments);
+  process.start(HEXODERM_PROGRAM, arguments);
   if (!process.waitForFinished(test::kPatience_ms) || process.exitStatus() != QProcess::NormalExit) process.kill();
   return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
           QString::fromUtf8(process.readAllStandardError())};
@@ -165,7 +271,7 @@ TEST(WindowProgram, RefusesWhatItDoesNotUnderstand) {
   const QTemporaryDir folder;
   const Finished missing = runProgram({folder.filePath("none.session.json"), "--screenshot", folder.filePath("a.png")});
   EXPECT_EQ(missing.code, 3);
-  EXPECT_TRUE(missing.errors.contains("none.session.json")) << missing.errors.toStdString();
+  EXPECT_THAT(missing.errors, HasText("none.session.json"));
 }
 
 TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
@@ -176,13 +282,13 @@ TEST(WindowProgram, ThePictureReplacesNeitherTheFileThatIsShownNorASession) {
   writeSessionJson(session, file.toStdString());
   const Finished same = runProgram({file, "--screenshot", folder.filePath("./arm.session.json")});
   EXPECT_EQ(same.code, 2);
-  EXPECT_TRUE(same.errors.contains("is one of the inputs")) << same.errors.toStdString();
+  EXPECT_THAT(same.errors, HasText("is one of the inputs"));
   EXPECT_NO_THROW(readSessionJson(file.toStdString()));
   const QString other = folder.filePath("other.png");
   writeSessionStore(session, other.toStdString());
   const Finished kept = runProgram({file, "--screenshot", other});
   EXPECT_EQ(kept.code, 5);
-  EXPECT_TRUE(kept.errors.contains("as a Hexoderm session")) << kept.errors.toStdString();
+  EXPECT_THAT(kept.errors, HasText("as a Hexoderm session"));
   EXPECT_TRUE(isSessionStore(other.toStdString()));
 }
 

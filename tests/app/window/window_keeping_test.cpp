@@ -9,8 +9,6 @@
 namespace hexoderm {
 namespace {
 
-using testing::ElementsAre;
-
 std::vector<std::uint32_t> poseIds(const Session& session) {
   std::vector<std::uint32_t> ids;
   for (const SessionPose& pose : session.poses()) ids.push_back(pose.capture->id.value());
@@ -120,7 +118,7 @@ TEST_F(WindowKeepingTest, WhatChangesBetweenTwoSavesIsInBothFiles) {
 TEST_F(WindowKeepingTest, RingToneAndStatusSayCapturedWhenThePoseIsOnDiskAndNotBefore) {
   LiveSession& live = controller().liveSession();
   live.setAutomatic(false);
-  window_->connectTo({QStringLiteral("sim:x17?speed=20"), pathTo("arm.hexo")});
+  window_->connectTo({"sim:x17?speed=20", pathTo("arm.hexo")});
   ASSERT_TRUE(waitForPoses(0));
   ASSERT_TRUE(waitUntilWritten());
   const auto* ring = find<HoldRing>("holdRing");
@@ -176,7 +174,7 @@ TEST_F(WindowKeepingTest, TheNextSkinIsAskedNothingThatTheLastWasAsked) {
               controller().liveSession().litCell());
   // A skin that is never there.
   ConnectRequest request;
-  request.address = QStringLiteral("replay:") + pathTo("none.skinrec");
+  request.address = "replay:" + pathTo("none.skinrec");
   request.continue_session = true;
   controller().liveSession().connectTo(request);
   EXPECT_FALSE(controller().liveSession().isRobotOn());

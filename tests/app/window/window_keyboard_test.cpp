@@ -5,9 +5,6 @@
 #include "hexoderm/io/calibration_json.h"
 #include "tests/app/window/keyboard.h"
 
-#include <QListWidget>
-#include <QSet>
-
 namespace hexoderm {
 namespace {
 
@@ -28,7 +25,6 @@ class DemoByKeys : public KeyboardTest {
   }
   void startDemo();
   void checkSkin();
-  void captureByButtons(std::size_t poses);
   void capturePoses();
   void review();
   void verify();
@@ -103,17 +99,6 @@ void DemoByKeys::checkSkin() {
   EXPECT_EQ(controller().liveSession().litCell(), std::nullopt);
 }
 
-/// By the buttons of the step: turned to where the next pose helps, and taken when it is still.
-void DemoByKeys::captureByButtons(std::size_t poses) {
-  ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
-  ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
-  key(Qt::Key_Space);
-  ASSERT_TRUE(waitUntil([this] { return isStillAndNew(); }));
-  ASSERT_NO_FATAL_FAILURE(tabTo("captureNow"));
-  key(Qt::Key_Space);
-  ASSERT_TRUE(waitForPoses(poses));
-}
-
 void DemoByKeys::capturePoses() {
   key(Qt::Key_3, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
@@ -122,7 +107,14 @@ void DemoByKeys::capturePoses() {
   ASSERT_TRUE(waitUntil([&] { return !controller().liveSession().nextPose()->up.isApprox(advised); }))
       << "another one is advised";
   EXPECT_LT(controller().liveSession().nextPose()->up.dot(advised), std::cos(29.9 * kDegree));
-  ASSERT_NO_FATAL_FAILURE(captureByButtons(2));
+  // By the buttons of the step: turned to where the next pose helps, and taken when it is still.
+  ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitUntil([this] { return isStillAndNew(); }));
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureNow"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitForPoses(2));
   // The robot takes what is still wanted.
   key(Qt::Key_B);
   EXPECT_TRUE(controller().liveSession().isRobotOn());
@@ -350,13 +342,9 @@ TEST_F(KeyboardOnASession, F6GoesFromPartToPartAndAltWithALetterOpensAMenu) {
   EXPECT_EQ(QApplication::focusWidget()->objectName(), "stepHead5");
   // A part that is closed is passed over.
   find<QWidget>("coverageDock")->hide();
-  key(Qt::Key_F6);
-  key(Qt::Key_F6);
-  key(Qt::Key_F6);
+  for (int k = 0; k < 3; ++k) key(Qt::Key_F6);
   EXPECT_EQ(partOf(QApplication::focusWidget()), "poseDock");
-}
-
-TEST_F(KeyboardOnASession, TheOnlyRowOfATableIsPickedByReturn) {
+  // The only row of a table is picked by Return.
   ASSERT_NO_FATAL_FAILURE(openSession("one.hexo", simulated(1)));
   ASSERT_NO_FATAL_FAILURE(tabTo("poseView"));
   EXPECT_FALSE(action("actionTogglePose")->isEnabled());

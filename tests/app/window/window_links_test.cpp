@@ -1,12 +1,7 @@
 // Links that the operator sets aside, as a cable for example, and takes back.
 
 #include "tests/app/window/window_test.h"
-#include "tests/support/paths.h"
 #include "widgets/tables/link_table.h"
-
-#include <QContextMenuEvent>
-#include <QImage>
-#include <QMenu>
 
 namespace hexoderm {
 namespace {
@@ -29,8 +24,7 @@ class WindowLinksTest : public WindowTest {
 
 TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(2)));
-  EXPECT_FALSE(action("actionExcludeLink")->isEnabled());
-  EXPECT_TRUE(action("actionExcludeLink")->toolTip().contains("Pick a link"));
+  expectDisabled("actionExcludeLink", "Pick a link");
   const Selection::Link link = firstLink();
   const QPoint at = graph()->positionOf(link.first, link.second).value();
   QContextMenuEvent event(QContextMenuEvent::Mouse, at, graph()->mapToGlobal(at));
@@ -64,23 +58,22 @@ TEST_F(WindowLinksTest, ThePickedLinkIsSetAsideByItsMenuOrByMAndTakenBack) {
 }
 
 TEST_F(WindowLinksTest, ACalibrationSaysWhyItsLinksStayAsTheyAre) {
-  ASSERT_NO_FATAL_FAILURE(openFile(QStringLiteral(HEXODERM_TEST_DATA "/two_patches.tum.xml")));
+  ASSERT_NO_FATAL_FAILURE(openFile(HEXODERM_TEST_DATA "/two_patches.tum.xml"));
   const LinkEstimate& link = controller().reconstruction()->patches.front().links.front();
   window_->selection().selectLink(link.source, link.target);
-  EXPECT_FALSE(action("actionExcludeLink")->isEnabled());
-  EXPECT_TRUE(action("actionExcludeLink")->toolTip().contains("calibration"));
+  expectDisabled("actionExcludeLink", "calibration");
   press(Qt::Key_M);
   EXPECT_EQ(controller().undoStack()->count(), 0);
 }
 
 TEST_F(WindowLinksTest, ThePictureOfTheGraphIsWritten) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(1)));
-  for (const QString& name : {QStringLiteral("graph.svg"), QStringLiteral("graph.png")}) {
+  for (const QString& name : {"graph.svg", "graph.png"}) {
     emit graph()->pictureWanted();
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo(name)));
     ASSERT_TRUE(waitForMessage("Exported to " + pathTo(name)));
     EXPECT_GT(QFileInfo(pathTo(name)).size(), 2000);
-    click(find<QWidget>("messageClose"));
+    closeMessage();
   }
   EXPECT_FALSE(QImage(pathTo("graph.png")).isNull());
 }

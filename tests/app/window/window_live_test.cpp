@@ -1,17 +1,19 @@
+// Skins that are connected: simulated, on a wire, and recordings, whole and broken.
+
+#include "hexoderm/device/sources/open_source.h"
+#include "hexoderm/device/sources/recording.h"
 #include "hexoderm/device/sources/wire_source.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
+#include "tests/support/changed_session.h"
 #include "widgets/capture/stillness_view.h"
 #include "widgets/patch/patch_view.h"
-
-#include <QComboBox>
-#include <QElapsedTimer>
 
 namespace hexoderm {
 namespace {
 
 /// A skin that turns within moments.
-const QString kQuickSkin = QStringLiteral("sim:x17?speed=20");
+const QString kQuickSkin = "sim:x17?speed=20";
 
 class WindowLiveTest : public WindowTest {
  protected:
@@ -58,7 +60,7 @@ TEST_F(WindowLiveTest, ASimulatedSkinIsConnectedAndWhenItIsGoneTheStepSaysSo) {
   press(Qt::Key_Space);
   ASSERT_TRUE(waitForPoses(1));
   EXPECT_EQ(controller().file().name(), "arm.hexo");
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Let the robot take the poses");
+  EXPECT_EQ(bannerButton(), "Let the robot take the poses");
 
   action("actionDisconnect")->trigger();
   EXPECT_TRUE(waitUntil([this] { return !action("actionCapture")->isEnabled(); }));
@@ -77,7 +79,7 @@ TEST_F(WindowLiveTest, AWrongAddressIsRefusedInWordsAsItIsTyped) {
   const auto expectRefused = [&](const QString& reason) {
     EXPECT_FALSE(button->isEnabled()) << reason.toStdString();
     const QString note = dialog->findChild<QLabel*>("connectNote")->text();
-    EXPECT_TRUE(note.contains(reason)) << note.toStdString();
+    EXPECT_THAT(note, HasText(reason));
   };
   expectRefused("tcp://HOST:PORT");
   QTest::keyClicks(address, ":7700");
@@ -108,13 +110,13 @@ TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndItsAddressCanBeCorrectedOrG
   ASSERT_NO_FATAL_FAILURE(connectByDialog("Network, TCP", "127.0.0.1:1", pathTo("arm.hexo")));
   ASSERT_TRUE(waitUntil([this] { return labelText("liveText").contains("refused"); }));
   EXPECT_EQ(labelText("liveState"), "Connecting");
-  EXPECT_TRUE(labelText("sourceStatus").contains("Connecting")) << labelText("sourceStatus").toStdString();
+  EXPECT_THAT(labelText("sourceStatus"), HasText("Connecting"));
   keepPicture(window_->picture(), "live-refused");
   // Every wait is longer than the one before; those of more than a second are counted down.
   for (const char* left : {"next try in 2 s", "next try in 1 s"}) {
     ASSERT_TRUE(waitUntil([&] { return labelText("liveText").contains(left); }));
   }
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), "Correct the address…");
+  EXPECT_EQ(bannerButton(), "Correct the address…");
   clickBanner();
   auto* dialog = waitForDialog("connectDialog");
   EXPECT_EQ(dialog->findChild<QComboBox*>("connectAddress")->currentText(), "127.0.0.1:1");
@@ -148,20 +150,14 @@ TEST_F(WindowLiveTest, LossesAndSilenceOfADeviceAreSaid) {
 }
 
 TEST_F(WindowLiveTest, APoseThatLacksReadingsIsTakenAgainByTheButtonOnTop) {
-  const Session whole = simulated(5, {}, 100);
-  Session session(whole.model(), whole.neighbors());
-  for (const SessionPose& pose : whole.poses()) {
-    auto capture = std::make_shared<PoseCapture>(*pose.capture);
-    const bool is_last = session.poses().size() + 1 == whole.poses().size();
-    if (!is_last) std::erase_if(capture->samples, [](const GravitySample& s) { return s.cell == CellId(7); });
-    session.addPose({std::move(capture), false});
-  }
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", session));
+  const auto without_7 = [](std::size_t pose, PoseCapture& capture) {
+    if (pose < 4) std::erase_if(capture.samples, [](const GravitySample& s) { return s.cell == CellId(7); });
+  };
+  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", withCaptures(simulated(5, {}, 100), without_7)));
   const Assessment& assessment = controller().reconstruction()->assessment;
   ASSERT_EQ(assessment.remedy, Remedy::RetakePoses) << assessment.reason.english();
   ASSERT_EQ(assessment.retake.front(), PoseId(1));
-  EXPECT_FALSE(action("actionRetake")->isEnabled());
-  EXPECT_EQ(action("actionRetake")->toolTip(), "No skin is connected");
+  expectDisabled("actionRetake", "No skin is connected");
 
   controller().liveSession().setAutomatic(false);
   window_->connectTo({kQuickSkin, {}, true});
@@ -199,9 +195,7 @@ TEST_F(WindowLiveTest, ConnectionsMayEndAtAnyMoment) {
 TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   const QString path = writeSession("unfinished.hexo", simulated(1, {}, 100));
   ASSERT_NO_FATAL_FAILURE(openFile(path));
-  clickRow("poseView", 0);
-  press(Qt::Key_Delete);
-  ASSERT_TRUE(waitUntilIdle());
+  ASSERT_NO_FATAL_FAILURE(disablePose(0));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_TRUE(read(path).poses()[0].disabled) << "the file is kept up without saving";
 
@@ -214,6 +208,18 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   EXPECT_EQ(controller().session()->poses()[1].capture->id, PoseId(2));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
+}
+
+TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
+  const QString path = pathTo("later/arm.hexo");
+  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
+  ASSERT_TRUE(waitForMessage("arm.hexo"));
+  EXPECT_EQ(labelText("savedStatus"), "not on disk");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
+  click(find<QPushButton>("messageButton"));
+  ASSERT_TRUE(waitForMessage("Saved to " + path));
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
+  EXPECT_EQ(read(path).poses().size(), 1U);
 }
 
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
@@ -246,13 +252,104 @@ TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadings
 
   ASSERT_TRUE(waitUntil([this] { return labelText("bannerSentence").startsWith("The skin does not send any more"); }));
   EXPECT_TRUE(controller().liveSession().isRobotOn()) << "it goes on when the skin does";
-  EXPECT_EQ(find<QPushButton>("bannerButton")->text(), action("actionConnect")->iconText());
+  EXPECT_EQ(bannerButton(), action("actionConnect")->iconText());
   EXPECT_TRUE(stillness->trace().points().empty());
   EXPECT_EQ(patch->moment().readings, nullptr);
   EXPECT_FALSE(patch->moment().up_o.has_value());
   click(find<QPushButton>("bannerButton"));
   auto* dialog = waitForDialog("connectDialog");
   dialog->reject();
+}
+
+/// Records a simulated skin until it has sent so many frames or a few more.
+void recordSkin(const std::string& address, const std::filesystem::path& path, int frames) {
+  struct Counter final : SkinListener {
+    void onSkin(const SkinDescription& /*skin*/) override {}
+    void onFrame(const SampleFrame& /*frame*/) override { ++count; }
+    void onStatus(const SourceStatus& /*status*/) override {}
+    void onCommandOutcome(const CommandOutcome& /*outcome*/) override {}
+    std::atomic<int> count = 0;
+  } counter;
+  StreamRecorder recorder(path, counter);
+  const auto source = openSkinSource(address);
+  source->start(recorder);
+  EXPECT_TRUE(test::waitUntil([&] { return counter.count >= frames; }));
+  source->stop();
+  recorder.finish();
+}
+
+class WindowRecordingTest : public WindowTest {
+ protected:
+  void play(const QString& path) {
+    ASSERT_NO_FATAL_FAILURE(connectByDialog("Recording", path + "?speed=max", pathTo("arm.hexo")));
+  }
+};
+
+// What is lost of a recording is for the tests of its reader to count.
+TEST_F(WindowRecordingTest, OneThatWasCutOffIsPlayedAsFarAsItIsWhole) {
+  // Six seconds of a skin on a table: one pose, which is captured in the second of them.
+  ASSERT_NO_FATAL_FAILURE(recordSkin("sim:x17?speed=20", pathTo("whole.skinrec").toStdString(), 6000));
+  const QByteArray content = contentOf(pathTo("whole.skinrec"));
+  const QString path = writeFile("cut.skinrec", content.left(content.size() * 3 / 4));
+  ASSERT_NO_FATAL_FAILURE(play(path));
+  ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Ended"; }));
+  ASSERT_TRUE(waitForPoses(1));
+  EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
+  EXPECT_THAT(labelText("liveText"), BeginsWith(path + ": is cut off; all before byte "));
+  EXPECT_TRUE(find<QLabel>("liveText")->isVisible());
+  expectDisabled("actionCapture", "cut.skinrec");
+  keepPicture(window_->picture(), "recording-cut-off");
+
+  click(find<QPushButton>("liveDisconnect"));
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
+  EXPECT_EQ(posesShown(), 1U);
+  ASSERT_TRUE(waitUntil([this] { return controller().file().isKept() && !controller().file().isWriting(); }));
+  EXPECT_EQ(readSessionStore(pathTo("arm.hexo").toStdString()).poses().size(), 1U);
+}
+
+/// With a session open, which must stay.
+class WindowBrokenRecordingTest : public WindowRecordingTest {
+ protected:
+  void expectTheSessionStays() {
+    EXPECT_EQ(controller().file().name(), "open.hexo");
+    EXPECT_EQ(posesShown(), 2U);
+    EXPECT_TRUE(controller().file().isKept());
+    EXPECT_FALSE(QFile::exists(pathTo("arm.hexo")));
+  }
+};
+
+// What a recording can lack in full is for the tests of its reader to find.
+TEST_F(WindowBrokenRecordingTest, WhatIsNoRecordingIsRefusedText) {
+  ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
+  ASSERT_NO_FATAL_FAILURE(play(writeFile("noise.skinrec", QByteArray(5000, '#'))));
+  ASSERT_TRUE(waitForMessage("noise.skinrec"));
+  EXPECT_THAT(message(), HasText("is no recording of a skin"));
+  EXPECT_TRUE(find<QWidget>("messageBar")->isVisible()) << "it stays until somebody has read it";
+  EXPECT_FALSE(controller().liveSession().source().isRunning());
+  EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible());
+  ASSERT_NO_FATAL_FAILURE(expectTheSessionStays());
+}
+
+TEST_F(WindowBrokenRecordingTest, OneInWhichThereIsNoSkinEndsAndIsNotWaitedFor) {
+  ASSERT_NO_FATAL_FAILURE(openSession("open.hexo", simulated(2)));
+  const std::pair<const char*, QByteArray> endings[] = {
+      {"byte 8: a record says that it has", "SKINREC1" + QByteArray(5000, '#')},
+      {"the recording is over", "SKINREC1"},
+  };
+  for (const auto& [said, content] : endings) {
+    ASSERT_NO_FATAL_FAILURE(play(writeFile("without.skinrec", content)));
+    ASSERT_TRUE(waitUntil([this, part = said] { return labelText("liveText").contains(part); }));
+    EXPECT_THAT(labelText("liveText"), HasText("without.skinrec"));
+    EXPECT_EQ(labelText("liveState"), "Ended");
+    EXPECT_TRUE(find<QWidget>("liveStrip")->isVisible());
+    EXPECT_THAT(labelText("bannerSentence"), Not(HasText("Waiting")));
+    EXPECT_THAT(labelText("bannerSentence"), HasText("without.skinrec"));
+    EXPECT_EQ(bannerButton(), "Disconnect");
+    keepPicture(window_->picture(), "recording-without-a-skin");
+    clickBanner();
+    EXPECT_FALSE(controller().liveSession().source().isRunning());
+    ASSERT_NO_FATAL_FAILURE(expectTheSessionStays());
+  }
 }
 
 }  // namespace

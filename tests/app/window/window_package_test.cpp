@@ -5,9 +5,6 @@
 #include "tests/app/window/keyboard.h"
 #include "tests/support/failing_disk.h"
 
-#include <QListWidget>
-#include <QTextBrowser>
-#include <QTreeWidget>
 #include <future>
 
 namespace hexoderm {
@@ -15,6 +12,10 @@ namespace {
 
 class WindowPackageTest : public KeyboardTest {
  protected:
+  void SetUp() override {
+    KeyboardTest::SetUp();
+    ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+  }
   static void choosePackage(QDialog* dialog) { dialog->findChild<QTabBar*>("exportKinds")->setCurrentIndex(1); }
   static void tick(QDialog* dialog, const QStringList& names) {
     auto* list = dialog->findChild<QListWidget*>("packageFormats");
@@ -56,15 +57,12 @@ class WindowPackageTest : public KeyboardTest {
 };
 
 TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   QDialog* dialog = openExportDialog();
   choosePackage(dialog);
   tick(dialog, {"URDF", "Calibration"});
-  const QString preview = dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText();
-  for (const char* part : {"skin.urdf", "its place on the robot is not known", "A URDF holds no uncertainties.",
-                           "skin.calibration.json", "manifest.json"}) {
-    EXPECT_TRUE(preview.contains(QLatin1String(part))) << part << " is not in\n" << preview.toStdString();
-  }
+  EXPECT_THAT(dialog->findChild<QTextBrowser*>("packagePreview")->toPlainText(),
+              HasTexts({"skin.urdf", "its place on the robot is not known", "A URDF holds no uncertainties.",
+                        "skin.calibration.json", "manifest.json"}));
   QTest::keyClick(dialog, Qt::Key_Escape);
   ASSERT_TRUE(waitUntilGone("exportDialog"));
 
@@ -73,15 +71,14 @@ TEST_F(WindowPackageTest, IsPreviewedWrittenAndListed) {
   QDialog* written = waitUntilWritten();
   EXPECT_EQ(written->findChild<QTreeWidget*>("packageFiles")->topLevelItemCount(), 4);
   const QString sentence = written->findChild<QLabel*>("packageSentence")->text();
-  EXPECT_TRUE(sentence.contains("4 files. Each was read back")) << sentence.toStdString();
+  EXPECT_THAT(sentence, HasText("4 files. Each was read back"));
   EXPECT_EQ(filesIn("out"), QStringList({"manifest.json", "report.pdf", "skin.calibration.json", "skin.urdf"}));
   EXPECT_EQ(readCalibrationJson(pathTo("out/skin.calibration.json").toStdString())->cellCount(), 17U);
   EXPECT_TRUE(contentOf(pathTo("out/report.pdf")).startsWith("%PDF"));
   keepPicture(written->grab().toImage(), "package-written");
 }
 
-TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
+TEST_F(WindowPackageTest, ThatIsCancelledOrFindsAFullDiskLeavesNothing) {
   const QStringList before = filesIn(".");
   for (const char* name : {"out", "arm.zip"}) {
     // The thread for files is kept busy until the operator has pressed the button.
@@ -101,11 +98,6 @@ TEST_F(WindowPackageTest, ThatIsCancelledLeavesNothing) {
     EXPECT_FALSE(controller().work().isWriting());
     EXPECT_EQ(filesIn("."), before) << name;
   }
-}
-
-TEST_F(WindowPackageTest, OnAFullDiskSaysSoAndLeavesNothing) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
-  const QStringList before = filesIn(".");
   const test::NoFileGrows full;
   ASSERT_NO_FATAL_FAILURE(exportPackage({"CSV", "PLY"}, pathTo("arm.zip")));
   auto* writing = waitForDialog("packageDialog");
@@ -118,7 +110,6 @@ TEST_F(WindowPackageTest, OnAFullDiskSaysSoAndLeavesNothing) {
 }
 
 TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   ASSERT_NO_FATAL_FAILURE(exportPackage({"PLY", "TF-YAML"}, pathTo("arm.zip")));
   QDialog* written = waitUntilWritten();
   QTest::keyClick(written, Qt::Key_Escape);
@@ -137,7 +128,6 @@ TEST_F(WindowPackageTest, RemembersWhatWasChosen) {
 }
 
 TEST_F(WindowPackageTest, IsMadeByTheKeyboardAlone) {
-  ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(4)));
   QDialog* dialog = openExportDialog();
   const auto* button = dialog->findChild<QPushButton*>("exportButton");
   ASSERT_NO_FATAL_FAILURE(tabTo("exportKinds"));

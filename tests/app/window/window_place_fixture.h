@@ -8,20 +8,10 @@
 #include "hexoderm/sim/simulated_robot.h"
 #include "hexoderm/solve/result/patch_placements.h"
 #include "tests/app/window/keyboard.h"
-#include "tests/support/paths.h"
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
 
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QListWidget>
-#include <QPushButton>
-#include <QSpinBox>
-#include <algorithm>
 #include <cstddef>
-#include <optional>
-#include <stdexcept>
-#include <vector>
 
 namespace hexoderm {
 

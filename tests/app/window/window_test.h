@@ -8,49 +8,37 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/app/window/keyboard_keeper.h"
 #include "tests/support/kept_picture.h"
-#include "tests/support/paths.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/step_panel.h"
 #include "widgets/graph/graph_view.h"
 
-#include <gmock/gmock.h>
-
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDir>
-#include <QDragEnterEvent>
-#include <QDropEvent>
-#include <QFile>
-#include <QFileInfo>
-#include <QLabel>
-#include <QLineEdit>
-#include <QMessageBox>
-#include <QMimeData>
-#include <QPushButton>
-#include <QSettings>
-#include <QSignalSpy>
-#include <QTabBar>
-#include <QTableView>
-#include <QTemporaryDir>
-#include <QTest>
+#include <algorithm>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace hexoderm {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
 
 /// The real main window, driven with mouse and keyboard, in a world of its own: empty settings and a folder for files.
 class WindowTest : public testing::Test {
  protected:
   void SetUp() override {
     QSettings().clear();
-    QSettings().setValue(QStringLiteral("paths/last"), folder_.path());
-    QSettings().setValue(QStringLiteral("view/theme"), QStringLiteral("light"));
+    QSettings().setValue("paths/last", folder_.path());
+    QSettings().setValue("view/theme", "light");
     // A demo skin that turns within moments.
-    QSettings().setValue(QStringLiteral("demo/source"), QStringLiteral("sim:x17?speed=20"));
+    QSettings().setValue("demo/source", "sim:x17?speed=20");
     openWindow();
   }
 
@@ -133,11 +121,11 @@ class WindowTest : public testing::Test {
     data.setUrls({QUrl::fromLocalFile(path)});
     const QPoint at(200, 200);
     QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &enter);
-    EXPECT_TRUE(enter.isAccepted());
-    QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QApplication::sendEvent(window_.get(), &event);
-    EXPECT_TRUE(event.isAccepted());
+    QDropEvent drop(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    for (QDropEvent* event : std::initializer_list<QDropEvent*>{&enter, &drop}) {
+      QApplication::sendEvent(window_.get(), event);
+      EXPECT_TRUE(event->isAccepted());
+    }
   }
 
   void click(QWidget* widget) { QTest::mouseClick(widget, Qt::LeftButton); }
@@ -155,6 +143,11 @@ class WindowTest : public testing::Test {
     auto* view = find<QTableView>(view_name);
     const QRect cell = view->visualRect(view->model()->index(row, 0));
     QTest::mouseClick(view->viewport(), Qt::LeftButton, Qt::NoModifier, cell.center());
+  }
+  void disablePose(int row) {
+    clickRow("poseView", row);
+    press(Qt::Key_Delete);
+    ASSERT_TRUE(waitUntilIdle());
   }
   void openStep(GuideStep step) { window_->findChild<StepPanel*>()->openStep(static_cast<int>(step)); }
   QDialog* openExportDialog() {
@@ -224,6 +217,14 @@ class WindowTest : public testing::Test {
     for (std::size_t taken = 1; taken < count; ++taken) ASSERT_NO_FATAL_FAILURE(takeNextPose());
   }
 
+  /// The demo with so many poses, disconnected: nothing but the test changes anything.
+  void restWithDemoPoses(std::size_t count) {
+    ASSERT_NO_FATAL_FAILURE(takeDemoPoses(count));
+    controller().liveSession().disconnectSource();
+    ASSERT_TRUE(waitUntilIdle());
+    test::letTurnsPass();
+  }
+
   /// Throws, which ends the test, if it does not come.
   template <class T = QDialog>
   T* waitForDialog(const char* object_name) {
@@ -263,7 +264,7 @@ class WindowTest : public testing::Test {
 
   /// Types a path into Qt's own file dialog and confirms it.
   void typeIntoFileDialog(const char* object_name, const QString& path) {
-    auto* edit = waitForDialog(object_name)->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    auto* edit = waitForDialog(object_name)->findChild<QLineEdit*>("fileNameEdit");
     ASSERT_NE(edit, nullptr);
     typeInto(edit, path);
     QTest::keyClick(edit, Qt::Key_Return);
@@ -273,6 +274,12 @@ class WindowTest : public testing::Test {
     return waitUntil([&] { return message().contains(part); });
   }
   QString labelText(const char* label) { return find<QLabel>(label)->text(); }
+  QString bannerButton() { return find<QPushButton>("bannerButton")->text(); }
+  void closeMessage() { click(find<QWidget>("messageClose")); }
+  void expectDisabled(const char* name, const QString& why) {
+    EXPECT_FALSE(action(name)->isEnabled()) << name;
+    EXPECT_THAT(action(name)->toolTip(), HasText(why)) << name;
+  }
   QString message() {
     if (find<QWidget>("messageBar")->isVisible()) return find<QLabel>("messageText")->text();
     return find<QLabel>("saidStatus")->isVisible() ? find<QLabel>("saidStatus")->text() : QString();

@@ -17,14 +17,14 @@ int main(int argc, char** argv) {
   if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
   // Caches of fonts and shaders stay where they are: making them takes seconds.
   if (qEnvironmentVariableIsEmpty("XDG_CACHE_HOME")) {
-    qputenv("XDG_CACHE_HOME", QFile::encodeName(QDir::home().filePath(QStringLiteral(".cache"))));
+    qputenv("XDG_CACHE_HOME", QFile::encodeName(QDir::home().filePath(".cache")));
   }
   const QTemporaryDir home;
   qputenv("HOME", QFile::encodeName(home.path()));
   hexoderm::installStyle();
   const QApplication application(argc, argv);
-  QCoreApplication::setOrganizationName(QStringLiteral("HexodermTests"));
-  QCoreApplication::setApplicationName(QStringLiteral("main_window_test"));
+  QCoreApplication::setOrganizationName("HexodermTests");
+  QCoreApplication::setApplicationName("main_window_test");
   QStandardPaths::setTestModeEnabled(true);
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, home.path());

@@ -6,7 +6,6 @@
 #include "tests/app/window/window_test.h"
 #include "widgets/controls/check_list.h"
 
-#include <QFileInfo>
 #include <cmath>
 
 namespace hexoderm {
@@ -72,7 +71,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     advised_o_ = controller().liveSession().nextPose()->up;
     press(Qt::Key_T);
     ASSERT_TRUE(waitForMessage("Pose 2 captured: 17 cells."));
-    EXPECT_FALSE(message().contains("repeats")) << message().toStdString();
+    EXPECT_THAT(message(), Not(HasText("repeats")));
     ASSERT_TRUE(waitForPoses(2));
   }
   void captureBySpace(std::size_t poses) {
@@ -97,9 +96,9 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
 TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   ASSERT_NO_FATAL_FAILURE(connectDevice());
   EXPECT_EQ(labelText("liveState"), "Streaming");
-  EXPECT_TRUE(labelText("sourceStatus").contains("Streaming")) << labelText("sourceStatus").toStdString();
-  EXPECT_TRUE(labelText("sourceStatus").contains("emulated skin")) << labelText("sourceStatus").toStdString();
-  EXPECT_TRUE(labelText("sourceStatus").contains(device_->address())) << labelText("sourceStatus").toStdString();
+  EXPECT_THAT(labelText("sourceStatus"), HasText("Streaming"));
+  EXPECT_THAT(labelText("sourceStatus"), HasText("emulated skin"));
+  EXPECT_THAT(labelText("sourceStatus"), HasText(device_->address()));
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << labelText("liveText").toStdString();
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
   press(Qt::Key_2, Qt::ControlModifier);

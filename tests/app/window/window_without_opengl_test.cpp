@@ -4,8 +4,6 @@
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
 
-#include <QOpenGLContext>
-
 namespace hexoderm {
 namespace {
 

@@ -9,10 +9,6 @@
 #include "widgets/controls/toggle_switch.h"
 
 #include <gtest/gtest.h>
-#include <QAction>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTest>
 
 namespace hexoderm {
 namespace {
@@ -58,10 +54,10 @@ class CapturePanelTest : public testing::Test {
   QString text(const char* name) { return panel.findChild<QLabel*>(QLatin1String(name))->text(); }
   HoldRing* ring() { return panel.findChild<HoldRing*>(); }
 
-  QAction automatic{QStringLiteral("Capture by itself when still")};
-  QAction capture{QStringLiteral("Capture now")};
-  QAction skip{QStringLiteral("Skip this pose")};
-  QAction turn{QStringLiteral("Turn the part for me")};
+  QAction automatic{"Capture by itself when still"};
+  QAction capture{"Capture now"};
+  QAction skip{"Skip this pose"};
+  QAction turn{"Turn the part for me"};
   CapturePanel panel{{&automatic, &capture, &skip, &turn}};
 };
 
@@ -86,13 +82,12 @@ TEST_F(CapturePanelTest, SaysWhatToDoHowFarAndWhy) {
   show();
   EXPECT_TRUE(ring()->isHidden()) << "no skin is connected";
   panel.setSource(streaming());
-  EXPECT_TRUE(text("captureWhat").startsWith(QStringLiteral("Working out")));
+  EXPECT_TRUE(text("captureWhat").startsWith("Working out"));
   panel.setAdvice(nextPose());
-  EXPECT_EQ(text("captureWhat"), QStringLiteral("Turn the part so that cell 7 faces the floor."));
-  EXPECT_EQ(text("captureTurn"), QStringLiteral("About 70° around the horizontal axis shown."));
-  EXPECT_TRUE(text("captureWhy").contains(QStringLiteral("offset")));
-  EXPECT_EQ(text("captureSigma"),
-            QStringLiteral("With this pose the error falls to about 14\u00a0% of what it is now."));
+  EXPECT_EQ(text("captureWhat"), "Turn the part so that cell 7 faces the floor.");
+  EXPECT_EQ(text("captureTurn"), "About 70° around the horizontal axis shown.");
+  EXPECT_TRUE(text("captureWhy").contains("offset"));
+  EXPECT_EQ(text("captureSigma"), "With this pose the error falls to about 14\u00a0% of what it is now.");
 }
 
 TEST_F(CapturePanelTest, SaysWhenThePartIsThereAndWhenThereIsEnoughAndWhatAnotherPoseWouldStillBringThen) {
@@ -100,17 +95,16 @@ TEST_F(CapturePanelTest, SaysWhenThePartIsThereAndWhenThereIsEnoughAndWhatAnothe
   NextPose next = nextPose();
   next.turn->angle_rad = 8 * kDegree;
   panel.setAdvice(next);
-  EXPECT_EQ(text("captureTurn"), QStringLiteral("It is there: hold it like this."));
+  EXPECT_EQ(text("captureTurn"), "It is there: hold it like this.");
   next.worthwhile = false;
   panel.setAdvice(next);
-  EXPECT_TRUE(text("captureWhat").contains(QStringLiteral("enough poses")));
+  EXPECT_TRUE(text("captureWhat").contains("enough poses"));
   EXPECT_EQ(text("captureSigma"), QString());
   next.is_good = true;
   panel.setAdvice(next);
-  EXPECT_EQ(text("captureWhat"), QStringLiteral("There are enough poses: the result is good."));
-  EXPECT_EQ(text("captureWhy"), QStringLiteral("Why: at the worst cell the error is below 2° and 3 mm."));
-  EXPECT_EQ(text("captureSigma"),
-            QStringLiteral("With another pose the error would fall to about 14\u00a0% of what it is now."));
+  EXPECT_EQ(text("captureWhat"), "There are enough poses: the result is good.");
+  EXPECT_EQ(text("captureWhy"), "Why: at the worst cell the error is below 2° and 3 mm.");
+  EXPECT_EQ(text("captureSigma"), "With another pose the error would fall to about 14\u00a0% of what it is now.");
 }
 
 TEST_F(CapturePanelTest, EveryBlockerHasItsWords) {
@@ -121,19 +115,19 @@ TEST_F(CapturePanelTest, EveryBlockerHasItsWords) {
     EXPECT_FALSE(holdText(hold).word.isEmpty());
     EXPECT_FALSE(waitText(hold).isEmpty());
   }
-  EXPECT_EQ(holdText(shaking()).word, QStringLiteral("Hold still"));
-  EXPECT_EQ(waitText(shaking()), QStringLiteral("Waiting: cell 7 moves 44 mg, limit 30 mg"));
+  EXPECT_EQ(holdText(shaking()).word, "Hold still");
+  EXPECT_EQ(waitText(shaking()), "Waiting: cell 7 moves 44 mg, limit 30 mg");
   hold.stillness.blocker = Blocker::NotMoved;
   hold.stillness.moved_rad = 2.3 * kDegree;
   hold.stillness.rearm_rad = 5 * kDegree;
-  EXPECT_EQ(holdText(hold).word, QStringLiteral("Turn the part"));
-  EXPECT_EQ(waitText(hold), QStringLiteral("Waiting: moved 2.3° since the last pose, needs 5°"));
+  EXPECT_EQ(holdText(hold).word, "Turn the part");
+  EXPECT_EQ(waitText(hold), "Waiting: moved 2.3° since the last pose, needs 5°");
   hold.stillness.blocker = Blocker::Turning;
   hold.stillness.drift_rad_s = 3.2 * kDegree;
   hold.stillness.drift_limit_rad_s = kDegree;
-  EXPECT_EQ(waitText(hold), QStringLiteral("Waiting: the part turns by 3.2 °/s, limit 1.0 °/s"));
+  EXPECT_EQ(waitText(hold), "Waiting: the part turns by 3.2 °/s, limit 1.0 °/s");
   hold.stillness.odd_cells = {{CellId(5), OddCellKind::Noisy, 0.2}, {CellId(9), OddCellKind::Silent, 2}};
-  EXPECT_EQ(oddCellsText(hold), QStringLiteral("Not waited for: cell 5 (noisy), cell 9 (silent)"));
+  EXPECT_EQ(oddCellsText(hold), "Not waited for: cell 5 (noisy), cell 9 (silent)");
 }
 
 TEST_F(CapturePanelTest, TheRingCountsWhileReadingsAreTaken) {
@@ -145,8 +139,8 @@ TEST_F(CapturePanelTest, TheRingCountsWhileReadingsAreTaken) {
   hold.progress = 0.6;
   const QImage before = ring()->grab().toImage();
   panel.setHold(hold);
-  EXPECT_EQ(ring()->content().word, QStringLiteral("Hold…"));
-  EXPECT_EQ(ring()->content().detail, QStringLiteral("60 %"));
+  EXPECT_EQ(ring()->content().word, "Hold…");
+  EXPECT_EQ(ring()->content().detail, "60 %");
   EXPECT_NE(ring()->grab().toImage(), before);
 }
 
@@ -154,11 +148,11 @@ TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysText) {
   show();
   panel.setSource(streaming());
   panel.setHold(shaking());
-  panel.showCaptured(PoseId(3), QStringLiteral("Pose 3 repeats pose 1."));
+  panel.showCaptured(PoseId(3), "Pose 3 repeats pose 1.");
   EXPECT_TRUE(ring()->content().captured);
-  EXPECT_EQ(ring()->content().detail, QStringLiteral("pose 3"));
+  EXPECT_EQ(ring()->content().detail, "pose 3");
   EXPECT_TRUE(test::waitUntil([&] { return !ring()->content().captured; }));
-  EXPECT_EQ(text("captureRemark"), QStringLiteral("Pose 3 repeats pose 1."));
+  EXPECT_EQ(text("captureRemark"), "Pose 3 repeats pose 1.");
   panel.showCaptured(PoseId(4));
   EXPECT_EQ(text("captureRemark"), QString());
 }
@@ -174,27 +168,27 @@ TEST_F(CapturePanelTest, APoseThatIsBeingWrittenIsNotSaidToBeCaptured) {
   show();
   panel.setSource(streaming());
   panel.setHold(HoldStatus{});
-  panel.showCaptured(PoseId(3), QStringLiteral("Pose 3 repeats pose 1."));
+  panel.showCaptured(PoseId(3), "Pose 3 repeats pose 1.");
   panel.showWriting(PoseId(4));
   EXPECT_FALSE(ring()->content().captured);
-  EXPECT_EQ(ring()->content().word, QStringLiteral("Writing"));
-  EXPECT_EQ(ring()->content().detail, QStringLiteral("pose 4"));
+  EXPECT_EQ(ring()->content().word, "Writing");
+  EXPECT_EQ(ring()->content().detail, "pose 4");
   EXPECT_EQ(text("captureRemark"), QString()) << "that was said of the pose before";
   panel.setHold(HoldStatus{});
-  EXPECT_EQ(ring()->content().word, QStringLiteral("Writing")) << "as long as the part is not moved";
+  EXPECT_EQ(ring()->content().word, "Writing") << "as long as the part is not moved";
   panel.showCaptured(PoseId(4));
   EXPECT_TRUE(ring()->content().captured);
   EXPECT_TRUE(test::waitUntil([&] { return !ring()->content().captured; }));
-  EXPECT_NE(ring()->content().word, QStringLiteral("Writing"));
+  EXPECT_NE(ring()->content().word, "Writing");
 
   panel.showWriting(PoseId(5));
   panel.setHold(movedOn());
-  EXPECT_NE(ring()->content().word, QStringLiteral("Writing")) << "the next hold has begun";
+  EXPECT_NE(ring()->content().word, "Writing") << "the next hold has begun";
   panel.showWriting(PoseId(6));
   panel.endWriting(PoseId(5));
-  EXPECT_EQ(ring()->content().word, QStringLiteral("Writing"));
+  EXPECT_EQ(ring()->content().word, "Writing");
   panel.endWriting(PoseId(6));
-  EXPECT_NE(ring()->content().word, QStringLiteral("Writing"));
+  EXPECT_NE(ring()->content().word, "Writing");
 }
 
 TEST_F(CapturePanelTest, ASilentSourceIsSaidInsteadOfOldReadings) {
@@ -205,8 +199,8 @@ TEST_F(CapturePanelTest, ASilentSourceIsSaidInsteadOfOldReadings) {
   silent.state = SourceState::Silent;
   silent.message = Message::verbatim("Nothing came for 1 s");
   panel.setSource(silent);
-  EXPECT_EQ(ring()->content().word, QStringLiteral("Silent"));
-  EXPECT_EQ(text("captureWait"), QStringLiteral("Nothing came for 1 s"));
+  EXPECT_EQ(ring()->content().word, "Silent");
+  EXPECT_EQ(text("captureWait"), "Nothing came for 1 s");
 }
 
 TEST_F(CapturePanelTest, ButtonsAndSwitchAreTheActionsAndSayWhyTheyCannotBeUsed) {
@@ -215,9 +209,9 @@ TEST_F(CapturePanelTest, ButtonsAndSwitchAreTheActionsAndSayWhyTheyCannotBeUsed)
   QSignalSpy skipped(&skip, &QAction::triggered);
   QSignalSpy turned(&turn, &QAction::triggered);
   QSignalSpy switched(&automatic, &QAction::triggered);
-  QTest::mouseClick(panel.findChild<ActionButton*>(QStringLiteral("captureNow")), Qt::LeftButton);
-  QTest::mouseClick(panel.findChild<ActionButton*>(QStringLiteral("captureSkip")), Qt::LeftButton);
-  QTest::mouseClick(panel.findChild<ActionButton*>(QStringLiteral("captureTurnForMe")), Qt::LeftButton);
+  QTest::mouseClick(panel.findChild<ActionButton*>("captureNow"), Qt::LeftButton);
+  QTest::mouseClick(panel.findChild<ActionButton*>("captureSkip"), Qt::LeftButton);
+  QTest::mouseClick(panel.findChild<ActionButton*>("captureTurnForMe"), Qt::LeftButton);
   auto* toggle = panel.findChild<ToggleSwitch*>();
   QTest::mouseClick(toggle, Qt::LeftButton, {}, QPoint(10, toggle->height() / 2));
   EXPECT_EQ(captured.count(), 1);
@@ -229,18 +223,18 @@ TEST_F(CapturePanelTest, ButtonsAndSwitchAreTheActionsAndSayWhyTheyCannotBeUsed)
   automatic.setChecked(true);
   EXPECT_TRUE(toggle->isChecked());
 
-  turn.setToolTip(QStringLiteral("This device can't turn itself"));
+  turn.setToolTip("This device can't turn itself");
   turn.setEnabled(false);
-  auto* button = panel.findChild<ActionButton*>(QStringLiteral("captureTurnForMe"));
+  auto* button = panel.findChild<ActionButton*>("captureTurnForMe");
   EXPECT_FALSE(button->isEnabled());
-  EXPECT_EQ(button->toolTip(), QStringLiteral("This device can't turn itself"));
+  EXPECT_EQ(button->toolTip(), "This device can't turn itself");
 }
 
 TEST_F(CapturePanelTest, TheSentenceGrowsWithItsPlaceAndIsNeverCutOff) {
   panel.setSource(streaming());
   panel.setAdvice(nextPose());
   panel.setHold(shaking());
-  auto* what = panel.findChild<QLabel*>(QStringLiteral("captureWhat"));
+  auto* what = panel.findChild<QLabel*>("captureWhat");
   show({260, 700});
   const double usual = panel.font().pointSizeF();
   EXPECT_GE(what->font().pointSizeF(), 1.6 * usual - 0.01);

@@ -1,8 +1,7 @@
 #include "widgets/capture/capture_tone.h"
 
 #include <gtest/gtest.h>
-#include <QByteArray>
-#include <QtEndian>
+#include <QtWidgets>
 #include <cstdlib>
 #include <vector>
 

@@ -2,11 +2,10 @@
 
 #include "hexoderm/solve/metrics/pose_coverage.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 
 #include <gtest/gtest.h>
-#include <QSignalSpy>
-#include <QTest>
 
 namespace hexoderm {
 namespace {
@@ -34,8 +33,8 @@ PoseCoverage coverageWith(const std::vector<Eigen::Vector3d>& ups, std::size_t d
 
 class CoverageViewTest : public testing::Test {
  protected:
-  void show(const QSize& size = {320, 360}) {
-    view.resize(size);
+  void SetUp() override {
+    view.resize(320, 360);
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
   }
@@ -48,7 +47,6 @@ class CoverageViewTest : public testing::Test {
 };
 
 TEST_F(CoverageViewTest, DrawsEveryPoseOnItsDiscAndADisabledOneHollow) {
-  show();
   const std::vector<Eigen::Vector3d> ups = {{0, 0, 1}, {0.2, 0.3, -0.9}};
   view.setCoverage(coverageWith({}));
   const QImage before = view.grab().toImage();
@@ -64,7 +62,6 @@ TEST_F(CoverageViewTest, DrawsEveryPoseOnItsDiscAndADisabledOneHollow) {
 }
 
 TEST_F(CoverageViewTest, AClickPicksThePoseUnderIt) {
-  show();
   view.setCoverage(coverageWith({{0, 0, 1}, {0.2, 0.3, -0.9}}));
   QSignalSpy picked(&view, &CoverageView::posePicked);
   QTest::mouseClick(&view, Qt::LeftButton, {}, view.placeOf(Eigen::Vector3d(0.2, 0.3, -0.9).normalized()).toPoint());
@@ -79,7 +76,6 @@ TEST_F(CoverageViewTest, AClickPicksThePoseUnderIt) {
 }
 
 TEST_F(CoverageViewTest, ArrowKeysGoRoundThePoses) {
-  show();
   view.setCoverage(coverageWith({{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}));
   QSignalSpy picked(&view, &CoverageView::posePicked);
   QTest::keyClick(&view, Qt::Key_Right);
@@ -94,7 +90,6 @@ TEST_F(CoverageViewTest, ArrowKeysGoRoundThePoses) {
 }
 
 TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
-  show();
   view.setCoverage(coverageWith({{0, 0, 1}}));
   const QImage before = view.grab().toImage();
   view.setNext(Eigen::Vector3d(0.3, 0.2, -0.9).normalized());
@@ -110,10 +105,9 @@ TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
 }
 
 TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
-  show();
   const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
   view.setCoverage(coverageWith({up}));
-  QRect number = view.fontMetrics().tightBoundingRect(QStringLiteral("1")).adjusted(-1, -1, 1, 1);
+  QRect number = view.fontMetrics().tightBoundingRect("1").adjusted(-1, -1, 1, 1);
   number.moveCenter(view.placeOf(up).toPoint());
   const QImage before = view.grab().toImage();
   view.setCurrent(up);
@@ -123,8 +117,7 @@ TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
 }
 
 TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
-  show();
-  view.setEmptyHint(QStringLiteral("No poses yet."));
+  view.setEmptyHint("No poses yet.");
   const QImage empty = view.grab().toImage();
   const QRgb below_limit = linkStroke(EdgeQuality::Partially, Theme::Light).color.rgb();
   const QRgb undefined = linkStroke(EdgeQuality::Undefined, Theme::Light).color.rgb();
@@ -140,7 +133,7 @@ TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
 
 TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
   // The room that the window leaves at 1280x800.
-  show({390, 228});
+  view.resize(390, 228);
   view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
   const double across = view.placeOf(Eigen::Vector3d::UnitX()).x() - view.placeOf(-Eigen::Vector3d::UnitX()).x();
   EXPECT_GT(std::abs(across), 70);
@@ -148,33 +141,28 @@ TEST_F(CoverageViewTest, TheDiscsAreAsLargeAsTheHeightAllows) {
 
 TEST_F(CoverageViewTest, SaysInWordsWhatItShows) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
-  const QString words = view.accessibleDescription();
-  EXPECT_TRUE(words.contains(QStringLiteral("2 poses"))) << words.toStdString();
-  EXPECT_TRUE(words.contains(QStringLiteral("fully defined"))) << words.toStdString();
-  EXPECT_TRUE(words.contains(QStringLiteral("facing the ceiling or the floor: the third value is 0.00, needs 0.50")))
-      << words.toStdString();
+  EXPECT_THAT(
+      view.accessibleDescription(),
+      HasTexts({"2 poses", "fully defined", "facing the ceiling or the floor: the third value is 0.00, needs 0.50"}));
   view.setCoverage(coverageWith({{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}));
-  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("No direction is missing")));
+  EXPECT_TRUE(view.accessibleDescription().contains("No direction is missing"));
 }
 
 TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
   view.setCoverage(coverageWith({{1, 0, 0}, {0, 1, 0}}));
   view.setNext(Eigen::Vector3d::UnitZ());
-  EXPECT_TRUE(view.accessibleDescription().contains(
-      QStringLiteral("A third direction is missing (value 0.00, needs 0.50); the next pose is one.")))
-      << view.accessibleDescription().toStdString();
+  EXPECT_THAT(view.accessibleDescription(),
+              HasText("A third direction is missing (value 0.00, needs 0.50); the next pose is one."));
   view.setNext(Eigen::Vector3d(1, 1, 0).normalized());  // helps otherwise: no second instruction beside it
-  EXPECT_TRUE(view.accessibleDescription().contains(
-      QStringLiteral("A third direction is not seen yet: its value is 0.00, of 0.50.")))
-      << view.accessibleDescription().toStdString();
-  EXPECT_FALSE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  EXPECT_THAT(view.accessibleDescription(), HasText("A third direction is not seen yet: its value is 0.00, of 0.50."));
+  EXPECT_FALSE(view.accessibleDescription().contains("facing the ceiling or the floor"));
   view.setNext(Eigen::Vector3d::UnitZ());
   view.setNext(std::nullopt);
-  EXPECT_TRUE(view.accessibleDescription().contains(QStringLiteral("facing the ceiling or the floor")));
+  EXPECT_TRUE(view.accessibleDescription().contains("facing the ceiling or the floor"));
 }
 
 TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
-  show({180, 230});
+  view.resize(180, 230);
   view.setCoverage(coverageWith({{0, 0, 1}, {0, 0.1, -1}}));
   EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(Eigen::Vector3d::UnitZ())));
   EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(-Eigen::Vector3d::UnitZ())));

@@ -4,7 +4,6 @@
 #include "widgets/capture/speaker.h"
 
 #include <gmock/gmock.h>
-#include <QSignalSpy>
 
 namespace hexoderm {
 namespace {
@@ -39,8 +38,8 @@ class InstructionVoiceTest : public testing::Test {
 };
 
 TEST_F(InstructionVoiceTest, IsOffUntilItIsSwitchedOn) {
-  voice.setInstruction(QStringLiteral("Turn the part."));
-  voice.setInstruction(QStringLiteral("Hold it."));
+  voice.setInstruction("Turn the part.");
+  voice.setInstruction("Hold it.");
   test::letTurnsPass();
   EXPECT_TRUE(speaker->said.empty());
   voice.setEnabled(true);
@@ -50,10 +49,10 @@ TEST_F(InstructionVoiceTest, IsOffUntilItIsSwitchedOn) {
 
 TEST_F(InstructionVoiceTest, SpeaksAnInstructionOnceHoweverOftenItIsGiven) {
   voice.setEnabled(true);
-  for (int k = 0; k < 20; ++k) voice.setInstruction(QStringLiteral("Hold it."));
+  for (int k = 0; k < 20; ++k) voice.setInstruction("Hold it.");
   ASSERT_TRUE(isSpoken("Hold it."));
-  for (int k = 0; k < 20; ++k) voice.setInstruction(QStringLiteral("Hold it."));
-  voice.setInstruction(QStringLiteral("Turn it."));
+  for (int k = 0; k < 20; ++k) voice.setInstruction("Hold it.");
+  voice.setInstruction("Turn it.");
   ASSERT_TRUE(isSpoken("Turn it."));
   EXPECT_THAT(speaker->said, testing::ElementsAre("Hold it.", "Turn it."));
 }
@@ -61,17 +60,17 @@ TEST_F(InstructionVoiceTest, SpeaksAnInstructionOnceHoweverOftenItIsGiven) {
 TEST_F(InstructionVoiceTest, WhatIsOnlyPassedByIsNotSpokenAndNothingQueuesUp) {
   voice.setEnabled(true);
   for (int k = 0; k < 50; ++k) voice.setInstruction(QStringLiteral("Turn by %1°.").arg(k));
-  voice.setInstruction(QStringLiteral("It is there."));
+  voice.setInstruction("It is there.");
   ASSERT_TRUE(isSpoken("It is there."));
   EXPECT_EQ(speaker->said.size(), 1U);
 }
 
 TEST_F(InstructionVoiceTest, WhatIsNoLongerTrueIsCutOffAtOnce) {
   voice.setEnabled(true);
-  voice.setInstruction(QStringLiteral("Turn the part."));
+  voice.setInstruction("Turn the part.");
   ASSERT_TRUE(isSpoken("Turn the part."));
   ASSERT_TRUE(speaker->is_speaking);
-  voice.setInstruction(QStringLiteral("Pose 3 captured."));
+  voice.setInstruction("Pose 3 captured.");
   EXPECT_FALSE(speaker->is_speaking);
   EXPECT_EQ(speaker->cut_off, 1);
   ASSERT_TRUE(isSpoken("Pose 3 captured."));
@@ -81,21 +80,21 @@ TEST_F(InstructionVoiceTest, WhatIsNoLongerTrueIsCutOffAtOnce) {
 
 TEST_F(InstructionVoiceTest, SwitchedOffItFallsSilent) {
   voice.setEnabled(true);
-  voice.setInstruction(QStringLiteral("Turn the part."));
+  voice.setInstruction("Turn the part.");
   ASSERT_TRUE(isSpoken("Turn the part."));
   voice.setEnabled(false);
   EXPECT_FALSE(speaker->is_speaking);
-  voice.setInstruction(QStringLiteral("Hold it."));
+  voice.setInstruction("Hold it.");
   voice.setEnabled(true);
   EXPECT_TRUE(isSpoken("Hold it."));
 }
 
 TEST_F(InstructionVoiceTest, SaysWhyThereIsNoVoice) {
   QSignalSpy looked(&voice, &InstructionVoice::lookedFor);
-  speaker->why_not = QStringLiteral("There is no engine.");
+  speaker->why_not = "There is no engine.";
   voice.lookForVoice();
   ASSERT_EQ(looked.count(), 1);
-  EXPECT_EQ(looked[0][0].toString(), QStringLiteral("There is no engine."));
+  EXPECT_EQ(looked[0][0].toString(), "There is no engine.");
 }
 
 /// Whatever this computer has: an answer comes, and nothing waits for it.

@@ -3,8 +3,6 @@
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QLabel>
-#include <QTest>
 #include <cmath>
 
 namespace hexoderm {
@@ -53,7 +51,7 @@ TEST_F(StillnessViewTest, SaysThatThereAreNoReadingsAndThenDrawsThemWithTheCaptu
   EXPECT_NE(view.grab().toImage(), some) << "the capture is marked";
   some = view.grab().toImage();
   view.clear();
-  EXPECT_TRUE(view.findChild<QLabel*>(QStringLiteral("stillnessNothing"))->isVisible());
+  EXPECT_TRUE(view.findChild<QLabel*>("stillnessNothing")->isVisible());
   EXPECT_TRUE(view.header().isEmpty());
   EXPECT_NE(view.grab().toImage(), some);
 }
@@ -61,18 +59,17 @@ TEST_F(StillnessViewTest, SaysThatThereAreNoReadingsAndThenDrawsThemWithTheCaptu
 TEST_F(StillnessViewTest, TheHeaderNamesCellAndLimit) {
   show();
   feed(10);
-  EXPECT_EQ(view.header(),
-            QStringLiteral("cell 7, which decides · x y z, deviation from its mean, last 10 s, limit 30 mg"));
-  EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("stillnessHeader"))->text(), view.header());
+  EXPECT_EQ(view.header(), "cell 7, which decides · x y z, deviation from its mean, last 10 s, limit 30 mg");
+  EXPECT_EQ(view.findChild<QLabel*>("stillnessHeader")->text(), view.header());
   view.setCell(CellId(3));
-  EXPECT_TRUE(view.header().startsWith(QStringLiteral("cell 3, picked")));
+  EXPECT_TRUE(view.header().startsWith("cell 3, picked"));
 }
 
 TEST_F(StillnessViewTest, WhatCameWhileItWasHiddenIsDrawnWhenItIsShown) {
   feed(100);
   show();
   EXPECT_FALSE(view.header().isEmpty());
-  EXPECT_EQ(view.findChild<QLabel*>(QStringLiteral("stillnessHeader"))->text(), view.header());
+  EXPECT_EQ(view.findChild<QLabel*>("stillnessHeader")->text(), view.header());
 }
 
 TEST_F(StillnessViewTest, ThemesDiffer) {

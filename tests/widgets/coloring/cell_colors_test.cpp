@@ -1,6 +1,5 @@
 #include "widgets/coloring/cell_colors.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>

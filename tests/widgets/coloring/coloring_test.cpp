@@ -1,6 +1,5 @@
 #include "widgets/coloring/coloring.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 #include "widgets/coloring/coloring_words.h"
 
@@ -76,8 +75,8 @@ TEST(Coloring, LimitsAreThoseOfTheVerdictAndOfTheSolver) {
 }
 
 TEST(Coloring, TitlesNameTheUnit) {
-  EXPECT_EQ(graphTitle(Coloring::Residual), QStringLiteral("residual, rms over poses, °"));
-  EXPECT_EQ(patchTitle(Coloring::Temperature), QStringLiteral("temperature, °C"));
+  EXPECT_EQ(graphTitle(Coloring::Residual), "residual, rms over poses, °");
+  EXPECT_EQ(patchTitle(Coloring::Temperature), "temperature, °C");
   EXPECT_EQ(patchTitle(Coloring::BodyPart), "body part");
 }
 

@@ -1,7 +1,12 @@
+// Scales of colours: their legend, and ranges that the operator fixes.
+
 #include "widgets/coloring/scale_legend.h"
+#include "widgets/coloring/scale_ranges.h"
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
 #include <QLocale>
+#include <QSignalSpy>
 #include <limits>
 
 namespace hexoderm {
@@ -52,8 +57,7 @@ TEST(ScaleLegend, DegenerateValuesHaveAScaleToo) {
 
 TEST(ScaleLegend, AGoalBesideTheScaleIsSaid) {
   EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {0.2, 0.8})), "all within the goal of 3 mm");
-  EXPECT_EQ(limitBeyondText(legendOf(Coloring::OrientationUncertainty, {4.2, 5.8})),
-            QStringLiteral("none within the goal of 2°"));
+  EXPECT_EQ(limitBeyondText(legendOf(Coloring::OrientationUncertainty, {4.2, 5.8})), "none within the goal of 2°");
   EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {0.2, 5.8})), "") << "it is marked on the bar";
   EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {})), "") << "of nothing nothing is said";
   EXPECT_EQ(limitBeyondText(legendOf(Coloring::PositionUncertainty, {0.5, 4.0}, ColorRange{0, 1})), "")
@@ -63,14 +67,48 @@ TEST(ScaleLegend, AGoalBesideTheScaleIsSaid) {
 
 TEST(ScaleLegend, BinsAreSaidWithTheirValuesAndCells) {
   const ScaleLegend legend = legendOf(Coloring::Residual, {0.05, 0.05, 2.3}, ColorRange{0, 2.4});
-  EXPECT_EQ(binText(legend, 0), QStringLiteral("0.00 to 0.10°: 2 cells"));
-  EXPECT_EQ(binText(legend, 23), QStringLiteral("2.30 to 2.40°: 1 cell"));
-  EXPECT_EQ(binText(legend, 5), QStringLiteral("0.50 to 0.60°: 0 cells"));
-  EXPECT_EQ(binText(legend, -1), QStringLiteral("less than 0.00°: 0 cells"));
-  EXPECT_EQ(binText(legend, 24), QStringLiteral("more than 2.40°: 0 cells"));
+  EXPECT_EQ(binText(legend, 0), "0.00 to 0.10°: 2 cells");
+  EXPECT_EQ(binText(legend, 23), "2.30 to 2.40°: 1 cell");
+  EXPECT_EQ(binText(legend, 5), "0.50 to 0.60°: 0 cells");
+  EXPECT_EQ(binText(legend, -1), "less than 0.00°: 0 cells");
+  EXPECT_EQ(binText(legend, 24), "more than 2.40°: 0 cells");
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_EQ(valueWithUnit(0.25, legend.range, Coloring::PositionUncertainty), "0,25 mm");
   QLocale::setDefault(QLocale::system());
+}
+
+TEST(ScaleRanges, KeepsARangeForEachColouringUntilItIsReleased) {
+  ScaleRanges ranges;
+  int changes = 0;
+  Coloring last = Coloring::Residual;
+  QObject::connect(&ranges, &ScaleRanges::changed, &ranges, [&](Coloring changed) {
+    ++changes;
+    last = changed;
+  });
+  EXPECT_EQ(ranges.fixed(Coloring::Bend), std::nullopt);
+  ranges.fix(Coloring::Bend, {-5, 5});
+  EXPECT_EQ(ranges.fixed(Coloring::Bend), (ColorRange{-5, 5}));
+  EXPECT_EQ(ranges.fixed(Coloring::Twist), std::nullopt);
+  EXPECT_EQ(last, Coloring::Bend);
+  ranges.fix(Coloring::Bend, {-5, 5});
+  EXPECT_EQ(changes, 1) << "nothing has changed";
+  ranges.release(Coloring::Bend);
+  ranges.release(Coloring::Bend);
+  EXPECT_EQ(changes, 2);
+  EXPECT_EQ(ranges.fixed(Coloring::Bend), std::nullopt);
+}
+
+TEST(ScaleRanges, TakesNoRangeThatIsNone) {
+  ScaleRanges ranges;
+  const double infinity = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const ColorRange& none :
+       {ColorRange{1, 1}, ColorRange{2, 1}, ColorRange{0, infinity}, ColorRange{nan, 1}, ColorRange{0, nan}}) {
+    ranges.fix(Coloring::Residual, none);
+    EXPECT_EQ(ranges.fixed(Coloring::Residual), std::nullopt);
+  }
+  ranges.fix(Coloring::Patch, {0, 1});
+  EXPECT_EQ(ranges.fixed(Coloring::Patch), std::nullopt) << "classes have no range";
 }
 
 }  // namespace

@@ -3,10 +3,7 @@
 #include "widgets/style/color_maps.h"
 
 #include <gtest/gtest.h>
-#include <QFontMetricsF>
-#include <QGuiApplication>
-#include <QImage>
-#include <QPainter>
+#include <QtWidgets>
 #include <algorithm>
 
 namespace hexoderm {

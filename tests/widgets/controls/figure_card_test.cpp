@@ -2,10 +2,8 @@
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QTest>
-#include <QToolButton>
+#include <QtTest>
+#include <QtWidgets>
 #include <optional>
 
 namespace hexoderm {
@@ -35,23 +33,23 @@ TEST(FigureCard, AKeptOneLeadsToTheNeighbours) {
   QWidget view;
   view.resize(640, 480);
   FigureCard card(FigureCard::Kind::Kept, &view);
-  card.setContent(QStringLiteral("<b>Cell 1</b><br>Origin of patch 1"), QStringLiteral("<b>bend: 3.00°</b>"),
-                  {{CellId(4), QStringLiteral("link to 4")}, {CellId(9), QStringLiteral("link to 9")}});
+  card.setContent("<b>Cell 1</b><br>Origin of patch 1", "<b>bend: 3.00°</b>",
+                  {{CellId(4), "link to 4"}, {CellId(9), "link to 9"}});
   std::optional<CellId> chosen;
   QObject::connect(&card, &FigureCard::neighborChosen, &card, [&](CellId cell) { chosen = cell; });
   QSignalSpy closed(&card, &FigureCard::closed);
-  auto* nine = card.findChild<QToolButton*>(QStringLiteral("neighbor9"));
+  auto* nine = card.findChild<QToolButton*>("neighbor9");
   ASSERT_NE(nine, nullptr);
-  EXPECT_EQ(nine->toolTip(), QStringLiteral("link to 9"));
+  EXPECT_EQ(nine->toolTip(), "link to 9");
   EXPECT_FALSE(nine->accessibleName().isEmpty());
   EXPECT_NE(nine->focusPolicy() & Qt::TabFocus, 0) << "reached by the keyboard";
   nine->click();
   EXPECT_EQ(chosen, CellId(9));
   // Another cell has other neighbours, and fewer.
-  card.setContent(QStringLiteral("<b>Cell 9</b>"), {}, {{CellId(1), {}}});
+  card.setContent("<b>Cell 9</b>", {}, {{CellId(1), {}}});
   EXPECT_TRUE(nine->isHidden());
-  EXPECT_FALSE(card.findChild<QToolButton*>(QStringLiteral("neighbor1"))->isHidden());
-  card.findChild<QToolButton*>(QStringLiteral("closeFigures"))->click();
+  EXPECT_FALSE(card.findChild<QToolButton*>("neighbor1")->isHidden());
+  card.findChild<QToolButton*>("closeFigures")->click();
   EXPECT_EQ(closed.count(), 1);
 }
 
@@ -60,7 +58,7 @@ TEST(FigureCard, IsAPlateInTheColoursOfTheTheme) {
   view.resize(640, 480);
   FigureCard card(FigureCard::Kind::Passing, &view);
   EXPECT_TRUE(card.testAttribute(Qt::WA_TransparentForMouseEvents));
-  card.setContent(QStringLiteral("<b>Cell 1</b>"), {});
+  card.setContent("<b>Cell 1</b>", {});
   card.resize(card.sizeFor(view.size()));
   for (const Theme theme : {Theme::Light, Theme::Dark}) {
     card.setPalette(qtPalette(theme));

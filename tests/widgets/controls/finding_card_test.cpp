@@ -3,10 +3,8 @@
 #include "widgets/words/words.h"
 
 #include <gtest/gtest.h>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalSpy>
-#include <QToolButton>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace hexoderm {
 namespace {
@@ -21,33 +19,33 @@ QString textOf(const QWidget& card, const char* name) { return card.findChild<QL
 TEST(FindingCard, SaysWhatWhereWhyAndWhatToDo) {
   FindingCard card;
   const Finding finding = looseLink();
-  card.setFinding(finding, {{FindingRemedy::MuteLink, QStringLiteral("Set link aside")}});
+  card.setFinding(finding, {{FindingRemedy::MuteLink, "Set link aside"}});
   card.setUnfolded(true);
-  EXPECT_EQ(textOf(card, "findingSeverity"), QStringLiteral("Warning"));
-  EXPECT_TRUE(textOf(card, "findingWhat").contains(QStringLiteral("3:1 - 4:2 moved by 5.7°")));
-  EXPECT_EQ(textOf(card, "findingWhere"), QStringLiteral("cells 3, 4"));
+  EXPECT_EQ(textOf(card, "findingSeverity"), "Warning");
+  EXPECT_TRUE(textOf(card, "findingWhat").contains("3:1 - 4:2 moved by 5.7°"));
+  EXPECT_EQ(textOf(card, "findingWhere"), "cells 3, 4");
   EXPECT_TRUE(textOf(card, "findingWhy").contains(words(descriptionOf(finding.code).why)));
   EXPECT_TRUE(textOf(card, "findingToDo").contains(words(descriptionOf(finding.code).what_to_do)));
   for (const char* name : {"findingWhy", "findingToDo"}) {
     EXPECT_TRUE(card.findChild<QLabel*>(QLatin1String(name))->isVisibleTo(&card));
   }
   card.setUnfolded(false);
-  EXPECT_FALSE(card.findChild<QLabel*>(QStringLiteral("findingWhy"))->isVisibleTo(&card));
-  EXPECT_TRUE(card.findChild<QLabel*>(QStringLiteral("findingWhat"))->isVisibleTo(&card));
-  card.findChild<QToolButton*>(QStringLiteral("findingFold"))->click();
+  EXPECT_FALSE(card.findChild<QLabel*>("findingWhy")->isVisibleTo(&card));
+  EXPECT_TRUE(card.findChild<QLabel*>("findingWhat")->isVisibleTo(&card));
+  card.findChild<QToolButton*>("findingFold")->click();
   EXPECT_TRUE(card.isUnfolded());
 }
 
 TEST(FindingCard, OneThatIsNowhereCanNotBeShown) {
   FindingCard card;
   card.setFinding(makeFinding(FindingCode::SensorsUnlikeModel, message("They err more.")), {});
-  EXPECT_FALSE(card.findChild<QPushButton*>(QStringLiteral("findingShow"))->isVisibleTo(&card));
+  EXPECT_FALSE(card.findChild<QPushButton*>("findingShow")->isVisibleTo(&card));
   card.setFinding(looseLink(), {});
-  EXPECT_TRUE(card.findChild<QPushButton*>(QStringLiteral("findingShow"))->isVisibleTo(&card));
+  EXPECT_TRUE(card.findChild<QPushButton*>("findingShow")->isVisibleTo(&card));
 }
 
 TEST(FindingCards, TheWorstIsUnfoldedAndTheOthersAreCounted) {
-  FindingCards cards(QStringLiteral("cards"));
+  FindingCards cards("cards");
   EXPECT_TRUE(cards.isHidden());
   std::vector<FindingCards::Item> items;
   for (std::uint32_t k = 1; k <= 6; ++k) {
@@ -60,7 +58,7 @@ TEST(FindingCards, TheWorstIsUnfoldedAndTheOthersAreCounted) {
   QSignalSpy all(&cards, &FindingCards::allWanted);
   bool is_said = false;
   for (QPushButton* button : cards.findChildren<QPushButton*>()) {
-    if (button->text() != QStringLiteral("2 more under Findings")) continue;
+    if (button->text() != "2 more under Findings") continue;
     is_said = button->isVisibleTo(&cards);
     button->click();
   }
@@ -68,7 +66,7 @@ TEST(FindingCards, TheWorstIsUnfoldedAndTheOthersAreCounted) {
   EXPECT_EQ(all.count(), 1);
   // What somebody has unfolded stays so while the findings are the same.
   cards.cards()[1]->setUnfolded(true);
-  items[1].offers = {{FindingRemedy::LightCell, QStringLiteral("Light cell 2")}};
+  items[1].offers = {{FindingRemedy::LightCell, "Light cell 2"}};
   cards.setItems(items);
   EXPECT_TRUE(cards.cards()[1]->isUnfolded());
   items.resize(1);

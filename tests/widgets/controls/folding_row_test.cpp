@@ -3,9 +3,6 @@
 #include <gtest/gtest.h>
 #include "tests/support/qt_wait.h"
 
-#include <QMenu>
-#include <QSignalSpy>
-#include <QToolButton>
 #include <algorithm>
 #include <vector>
 
@@ -70,7 +67,7 @@ TEST_F(FoldingRowTest, TheLastOnesFoldFirstIntoOneRowThatKeepsItsHeight) {
 
 TEST_F(FoldingRowTest, TheMenuDoesWhatTheFoldedButtonsDo) {
   auto* inner = new QMenu(buttons_[1]);
-  inner->addAction(QStringLiteral("Ports"));
+  inner->addAction("Ports");
   buttons_[1]->setMenu(inner);
   buttons_[3]->setCheckable(true);
   resizeTo(row_->minimumSize().width() + 1);

@@ -4,8 +4,6 @@
 #include "tests/support/qt_wait.h"
 
 #include <gtest/gtest.h>
-#include <QAbstractEventDispatcher>
-#include <QThread>
 
 #include <memory>
 #include <vector>

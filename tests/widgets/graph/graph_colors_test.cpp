@@ -7,13 +7,6 @@
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/style/color_maps.h"
 
-#include <QAction>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QSignalSpy>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 
@@ -27,7 +20,7 @@ class GraphColorsTest : public GraphViewTest {
     for (QAction* action : button()->menu()->actions()) {
       if (action->text() == name) return action;
     }
-    return nullptr;
+    throw std::runtime_error("the menu has no " + name.toStdString());
   }
   /// The X17, each arm's links and cells with figures of their own.
   static std::shared_ptr<Reconstruction> withMetrics() {
@@ -93,9 +86,8 @@ TEST_F(GraphColorsTest, CellsAreColouredByPatchAndByHowTheyWerePlaced) {
 
 TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
   show(sampleTwoPatches());
-  ASSERT_NE(colorAction("body part"), nullptr);
   EXPECT_FALSE(colorAction("body part")->isEnabled());
-  EXPECT_THAT(colorAction("body part")->toolTip().toStdString(), testing::HasSubstr("does not say"));
+  EXPECT_THAT(colorAction("body part")->toolTip(), HasText("does not say"));
   auto parts = sampleTwoPatches();
   for (CellPlacement& cell : parts->patches[0].cells) cell.body_part = "forearm";
   for (CellPlacement& cell : parts->patches[1].cells) cell.body_part = "hand";
@@ -112,7 +104,6 @@ TEST_F(GraphColorsTest, TheButtonSaysWhatTheColoursShowAndItsMenuChangesIt) {
   show(sampleX17());
   EXPECT_TRUE(button()->isVisible());
   EXPECT_EQ(button()->text(), "Colour: link quality ▾");
-  ASSERT_NE(colorAction("yaw"), nullptr);
   colorAction("yaw")->trigger();
   EXPECT_EQ(button()->text(), "Colour: yaw ▾");
   EXPECT_FALSE(button()->accessibleName().isEmpty());
@@ -153,9 +144,7 @@ TEST_F(GraphColorsTest, ShortestPathsAreMarkedUnlessSwitchedOff) {
   show(sampleX17());
   const QColor band = Colors::of(Theme::Light).tree_band;
   const int marked = countColor(image(), linkTo2(), 8, band);
-  auto* toggle = view_.findChild<QAction*>("graphMarksTree");
-  ASSERT_NE(toggle, nullptr);
-  toggle->trigger();
+  test::part<QAction>(view_, "graphMarksTree")->trigger();
   EXPECT_GT(marked, countColor(image(), linkTo2(), 8, band) + 10);
 }
 
@@ -168,20 +157,18 @@ TEST_F(GraphColorsTest, TheToolTipOfALinkHasAllItsMetrics) {
   link.supported = true;
   link.pose_residual_rad = {0.3 * kDegree, std::nullopt, 0.9 * kDegree};
   show(result);
-  const std::string text = toolTipAt(linkTo9());
-  for (const char* part :
-       {"Link 5 · port 3 — 9 · port 2", "Used, on the shortest paths", "partially defined",
-        "singular values 1.93, 1.05, 0.02", "weight 2", "Bend −80.0°, twist −0.4°, yaw 0.0°",
-        "Residual 50.0°, predicted deviation 0.7°", "Centred", "Support axes", "Residual in pose 1: 0.3°, 3: 0.9°"}) {
-    EXPECT_THAT(text, testing::HasSubstr(part));
-  }
+  EXPECT_THAT(toolTipAt(linkTo9()),
+              HasTexts({"Link 5 · port 3 — 9 · port 2", "Used, on the shortest paths", "partially defined",
+                        "singular values 1.93, 1.05, 0.02", "weight 2", "Bend −80.0°, twist −0.4°, yaw 0.0°",
+                        "Residual 50.0°, predicted deviation 0.7°", "Centred", "Support axes",
+                        "Residual in pose 1: 0.3°, 3: 0.9°"}));
   link.pose_residual_rad.clear();
   for (int k = 0; k < 40; ++k) {
     link.pose_residual_rad.emplace_back(k * kDegree);
     result->poses.push_back({PoseId(100 + static_cast<std::uint32_t>(k)), {}, true, 17, 0, {}, {}});
   }
   result->poses.erase(result->poses.begin(), result->poses.begin() + 4);
-  EXPECT_THAT(toolTipAt(linkTo9()), testing::HasSubstr("worst poses 139: 39.0°, 138: 38.0°"));
+  EXPECT_THAT(toolTipAt(linkTo9()), HasText("worst poses 139: 39.0°, 138: 38.0°"));
   QToolTip::hideText();
 }
 
@@ -195,7 +182,7 @@ TEST_F(GraphColorsTest, TheToolTipOfAMutedLinkSaysWhyInTheFindingsWords) {
                   {CellId(3), CellId(4)}, {PortNumber(4), PortNumber(1)}));
   show(result);
   const QPoint at = view_.positionOf({CellId(3), PortNumber(4)}, {CellId(4), PortNumber(1)}).value();
-  EXPECT_THAT(toolTipAt(at), testing::HasSubstr("Muted: The link 3 port 4 - 4 port 1 was set aside by hand (a cable)"));
+  EXPECT_THAT(toolTipAt(at), HasText("Muted: The link 3 port 4 - 4 port 1 was set aside by hand (a cable)"));
   QToolTip::hideText();
 }
 
@@ -213,19 +200,17 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsMetrics) {
   comeBefore({1, 5, 9, 13});
   placement.body_part = "fore<arm>";
   show(result);
-  const std::string text = toolTipAt(cell(13));
-  for (const char* part :
-       {"Cell 13", "Patch 1", "On fore&lt;arm&gt;", "Placed by its own readings", "At 12.3; −4.0; 0.0 mm",
-        "Roll 5.7°, pitch −11.5°, yaw 17.2°", "Known to ±0.2 mm", "Path from the origin: 1 → 5 → 9 → 13 (3 links)",
-        "Accelerometer offset 61; −12; 0 mg", "Accelerometer scale 1.010; 0.980; 1.000"}) {
-    EXPECT_THAT(text, testing::HasSubstr(part));
-  }
-  EXPECT_THAT(toolTipAt(cell(1)), testing::HasSubstr("Origin of patch 1"));
+  EXPECT_THAT(toolTipAt(cell(13)),
+              HasTexts({"Cell 13", "Patch 1", "On fore&lt;arm&gt;", "Placed by its own readings",
+                        "At 12.3; −4.0; 0.0 mm", "Roll 5.7°, pitch −11.5°, yaw 17.2°", "Known to ±0.2 mm",
+                        "Path from the origin: 1 → 5 → 9 → 13 (3 links)", "Accelerometer offset 61; −12; 0 mg",
+                        "Accelerometer scale 1.010; 0.980; 1.000"}));
+  EXPECT_THAT(toolTipAt(cell(1)), HasText("Origin of patch 1"));
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
-  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("12,3; −4,0; 0,0 mm"));
+  EXPECT_THAT(toolTipAt(cell(13)), HasText("12,3; −4,0; 0,0 mm"));
   QLocale::setDefault(QLocale::system());
   comeBefore({1, 5, 9, 2, 3, 4, 6, 7, 8, 10, 11, 12, 14, 13});
-  EXPECT_THAT(toolTipAt(cell(13)), testing::HasSubstr("1 → 5 → 9 → 2 → … → 11 → 12 → 14 → 13 (13 links)"));
+  EXPECT_THAT(toolTipAt(cell(13)), HasText("1 → 5 → 9 → 2 → … → 11 → 12 → 14 → 13 (13 links)"));
   QToolTip::hideText();
 }
 
@@ -236,31 +221,28 @@ TEST_F(GraphColorsTest, ARightClickPicksWhatIsThereAndOffersWhatCanBeDoneWithIt)
   view_.setCellActions({&light});
   show(sampleX17());
   QSignalSpy muted(&mute, &QAction::triggered);
-  const auto menuAt = [&](QPoint at) {
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, view_.mapToGlobal(at));
+  const auto menuAt = [&](QPoint at, QContextMenuEvent::Reason reason = QContextMenuEvent::Mouse) {
+    QContextMenuEvent event(reason, at, view_.mapToGlobal(at));
     QApplication::sendEvent(&view_, &event);
-    return view_.findChild<QMenu*>("graphMenu");
+    return test::part<QMenu>(view_, "graphMenu");
+  };
+  const auto isClosed = [&] {
+    return test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; });
   };
   QMenu* menu = menuAt(linkTo9());
-  ASSERT_NE(menu, nullptr);
   EXPECT_EQ(selection_.link(), Selection::Link(kFive, kNine));
   EXPECT_TRUE(menu->actions().contains(&mute));
   EXPECT_FALSE(menu->actions().contains(&light));
   QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(&mute).center());
   EXPECT_EQ(muted.count(), 1);
-  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
+  ASSERT_TRUE(isClosed());
 
   menu = menuAt(cell(13));
-  ASSERT_NE(menu, nullptr);
   EXPECT_EQ(selection_.cell(), CellId(13));
   EXPECT_TRUE(menu->actions().contains(&light));
   QTest::keyClick(menu, Qt::Key_Escape);
-  ASSERT_TRUE(test::waitUntil([&] { return view_.findChild<QMenu*>("graphMenu") == nullptr; }));
-
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3), view_.mapToGlobal(QPoint(3, 3)));
-  QApplication::sendEvent(&view_, &key);
-  menu = view_.findChild<QMenu*>("graphMenu");
-  ASSERT_NE(menu, nullptr) << "the menu key opens it for what is picked";
+  ASSERT_TRUE(isClosed());
+  menu = menuAt({3, 3}, QContextMenuEvent::Keyboard);  // the menu key opens it for what is picked
   EXPECT_EQ(selection_.cell(), CellId(13));
   QTest::keyClick(menu, Qt::Key_Escape);
 }

@@ -3,14 +3,11 @@
 #include "widgets/graph/graph_picture.h"
 
 #include "tests/support/hand_made_skins.h"
-#include "tests/support/paths.h"
+#include "tests/support/picture_difference.h"
 
 #include <gtest/gtest.h>
 
-#include <QDir>
-#include <QFile>
-#include <QImage>
-#include <QTemporaryDir>
+#include <QtWidgets>
 
 #include <cstdlib>
 
@@ -35,46 +32,29 @@ std::shared_ptr<Reconstruction> sample() {
   return result;
 }
 
-QImage draw(std::shared_ptr<const Reconstruction> reconstruction, Coloring coloring, Theme theme) {
+GraphPicture pictureOf(std::shared_ptr<const Reconstruction> reconstruction, Coloring coloring, const GraphStyle& style,
+                       const QRectF& legend = {}) {
   const auto scene = std::make_shared<const GraphScene>(std::move(reconstruction));
-  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, coloring, theme));
+  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, coloring, style.theme));
   GraphCamera camera;
   camera.size = kSize;
   const QRectF& bounds = scene->bounds();
   camera.center = bounds.center();
   camera.scale = 0.94 * std::min(kSize.width() / bounds.width(), kSize.height() / bounds.height());
+  return {scene, paint, camera, style, {}, legend};
+}
+
+QImage draw(std::shared_ptr<const Reconstruction> reconstruction, Coloring coloring, Theme theme) {
   GraphStyle style;
   style.theme = theme;
   style.has_text = false;
   QImage image(kSize.toSize(), QImage::Format_RGB32);
   QPainter painter(&image);
-  GraphPicture(scene, paint, camera, style, {}, QRectF()).draw(painter);
+  pictureOf(std::move(reconstruction), coloring, style).draw(painter);
   return image;
 }
 
-double differingShare(const QImage& a, const QImage& b) {
-  if (a.size() != b.size()) return 1;
-  int differing = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    for (int x = 0; x < a.width(); ++x) {
-      const QRgb p = a.pixel(x, y);
-      const QRgb q = b.pixel(x, y);
-      const int most =
-          std::max({std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)), std::abs(qBlue(p) - qBlue(q))});
-      if (most > kChannelSlack) ++differing;
-    }
-  }
-  return static_cast<double>(differing) / (static_cast<double>(a.width()) * a.height());
-}
-
-/// HEXODERM_UPDATE_BASELINES=1 writes the baseline instead.
-double differenceToBaseline(const QImage& image, const QString& name) {
-  const QString path = QStringLiteral(HEXODERM_BASELINES "/%1.png").arg(name);
-  if (std::getenv("HEXODERM_UPDATE_BASELINES") != nullptr) image.save(path);
-  const double share = differingShare(image, QImage(path).convertToFormat(QImage::Format_RGB32));
-  if (share > kMaxDifferingShare) image.save(name + QStringLiteral("-actual.png"));
-  return share;
-}
+double differingShare(const QImage& a, const QImage& b) { return hexoderm::differingShare(a, b, kChannelSlack); }
 
 TEST(GraphPicture, LooksLikeTheBaselines) {
   const struct {
@@ -85,7 +65,8 @@ TEST(GraphPicture, LooksLikeTheBaselines) {
                    {"graph_quality_dark", Coloring::LinkQuality, Theme::Dark},
                    {"graph_patches", Coloring::Patch, Theme::Light}};
   for (const auto& [name, coloring, theme] : baselines) {
-    EXPECT_LE(differenceToBaseline(draw(sample(), coloring, theme), name), kMaxDifferingShare) << name;
+    const QImage picture = draw(sample(), coloring, theme);
+    EXPECT_LE(differenceToBaseline(picture, name, kChannelSlack, kMaxDifferingShare), kMaxDifferingShare) << name;
   }
 }
 
@@ -106,13 +87,7 @@ TEST(GraphPicture, TheBaselineComparisonSeesOneLinkOfAnotherClassAndOneMovedCell
 
 TEST(GraphPicture, IsWrittenAsShapesOrAsPixels) {
   const QTemporaryDir folder;
-  const auto scene = std::make_shared<const GraphScene>(sampleX17());
-  const auto paint = std::make_shared<const GraphPaint>(paintOf(*scene, Coloring::LinkQuality, Theme::Light));
-  GraphCamera camera;
-  camera.size = kSize;
-  camera.center = scene->bounds().center();
-  camera.scale = 0.9 * kSize.width() / scene->bounds().width();
-  const GraphPicture picture(scene, paint, camera, {}, {}, QRectF(10, 170, 280, 40));
+  const GraphPicture picture = pictureOf(sampleX17(), Coloring::LinkQuality, {}, QRectF(10, 170, 280, 40));
   const QString svg = QDir(folder.path()).filePath("graph.svg");
   ASSERT_TRUE(picture.save(svg));
   QFile file(svg);

@@ -1,19 +1,10 @@
 #pragma once
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"
-
-#include <gmock/gmock.h>
-#include <QApplication>
-#include <QHelpEvent>
-#include <QImage>
-#include <QTest>
-#include <QToolTip>
-
-#include <cmath>
-#include <string>
 
 namespace hexoderm {
 
@@ -34,10 +25,10 @@ class GraphViewTest : public testing::Test {
   void wheel(QPoint at, int delta) { test::turnWheel(&view_, at, delta); }
   [[nodiscard]] QPoint cell(std::uint32_t id) const { return view_.positionOf(CellId(id)).value(); }
   /// The text that appears where the mouse rests, without its markup.
-  std::string toolTipAt(QPoint position) {
+  QString toolTipAt(QPoint position) {
     QHelpEvent event(QEvent::ToolTip, position, view_.mapToGlobal(position));
     QApplication::sendEvent(&view_, &event);
-    return QToolTip::text().toStdString();
+    return QToolTip::text();
   }
   [[nodiscard]] QImage image() { return view_.grab().toImage().convertToFormat(QImage::Format_RGB32); }
 

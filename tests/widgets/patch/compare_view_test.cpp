@@ -3,18 +3,13 @@
 #include "hexoderm/base/se3.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/kept_picture.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
 
-#include <gtest/gtest.h>
 #include <vtkCamera.h>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QSlider>
-#include <QTest>
-#include <QToolButton>
 
 namespace hexoderm {
 namespace {
@@ -31,7 +26,7 @@ class CompareViewTest : public testing::Test {
         std::make_shared<const std::vector<Comparison>>(compareToReconstruction(*content.now, *content.before));
   }
   void show() {
-    view.setSources({QStringLiteral("the last change"), QStringLiteral("arm.calibration.json")}, 0, {});
+    view.setSources({"the last change", "arm.calibration.json"}, 0, {});
     view.setContent(content);
     view.resize(1000, 560);
     view.show();
@@ -69,7 +64,7 @@ TEST_F(CompareViewTest, BothSidesAreSeenFromTheSameSideWhicheverIsTurned) {
   test::dragMouse(canvas, canvas->rect().center(), canvas->rect().center() + QPoint(60, 20));
   EXPECT_GT(angleBetween(from(view.before()), before), 0.05) << "the mouse on one turns the other";
   EXPECT_LT(angleBetween(from(view.before()), from(view.now())), 1e-9);
-  keep(QStringLiteral("compare-side-by-side"));
+  keep("compare-side-by-side");
 }
 
 TEST_F(CompareViewTest, ColoursAreTheSameOnBoth) {
@@ -83,11 +78,11 @@ TEST_F(CompareViewTest, ColoursAreTheSameOnBoth) {
 TEST_F(CompareViewTest, SaysHowFarTheTwoAreApartAndNamesTheCellThatMovedMost) {
   show();
   const QString text = find<QLabel>("compareSummary")->text();
-  EXPECT_TRUE(text.startsWith(QStringLiteral("17 cells in common."))) << text.toStdString();
+  EXPECT_THAT(text, BeginsWith("17 cells in common."));
   const Comparison& comparison = content.comparison->front();
   const auto farthest =
       std::ranges::max_element(comparison.cells, {}, [](const CellDifference& cell) { return cell.position_m.norm(); });
-  EXPECT_TRUE(text.contains(QStringLiteral("cell %1 ").arg(farthest->cell.value()))) << text.toStdString();
+  EXPECT_THAT(text, HasText(QStringLiteral("cell %1 ").arg(farthest->cell.value())));
 }
 
 TEST_F(CompareViewTest, ArrowsAreEnlargedAsFarAsTheSliderSays) {
@@ -103,11 +98,11 @@ TEST_F(CompareViewTest, ArrowsAreEnlargedAsFarAsTheSliderSays) {
   const QImage by_itself = view.now().screenshot();
   slider->setValue(slider->minimum());
   EXPECT_EQ(view.factor(), 1.0);
-  EXPECT_EQ(find<QLabel>("compareFactorLabel")->text(), QStringLiteral("1 times"));
+  EXPECT_EQ(find<QLabel>("compareFactorLabel")->text(), "1 times");
   EXPECT_NE(view.now().screenshot(), by_itself);
   QTest::keyClick(slider, Qt::Key_Right);
   EXPECT_EQ(view.factor(), 2.0);
-  keep(QStringLiteral("compare-arrows"));
+  keep("compare-arrows");
   QTest::mouseClick(find<QToolButton>("compareSideBySide"), Qt::LeftButton);
   EXPECT_TRUE(view.before().isVisible());
   EXPECT_EQ(view.factor(), std::nullopt);
@@ -115,8 +110,8 @@ TEST_F(CompareViewTest, ArrowsAreEnlargedAsFarAsTheSliderSays) {
 
 TEST_F(CompareViewTest, WithoutAnythingBeforeItSaysWhatToDo) {
   view.setContent({nullptr, content.now, nullptr});
-  view.setSources({}, 0, QStringLiteral("There is nothing to compare with yet."));
-  EXPECT_EQ(find<QLabel>("compareSummary")->text(), QStringLiteral("There is nothing to compare with yet."));
+  view.setSources({}, 0, "There is nothing to compare with yet.");
+  EXPECT_EQ(find<QLabel>("compareSummary")->text(), "There is nothing to compare with yet.");
 }
 
 TEST_F(CompareViewTest, WhatIsPickedOnOneSideIsPickedOnBoth) {

@@ -1,6 +1,6 @@
 #include "hexoderm/base/se3.h"
-#include "hexoderm/base/units.h"
 #include "tests/support/picture_counter.h"
+#include "tests/support/picture_difference.h"
 #include "tests/support/random_vector.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/scene/part_camera.h"
@@ -8,11 +8,7 @@
 #include "widgets/scene/scene_ghost.h"
 
 #include <vtkCamera.h>
-#include <vtkNew.h>
-#include <QElapsedTimer>
-#include <QToolButton>
 #include <random>
-#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -74,7 +70,7 @@ class PartMotionTest : public PatchViewFixture {
     moment.next_up_o = up_o;
     view.setMoment(moment);
   }
-  QToolButton* turnButton() { return view.findChild<QToolButton*>(QStringLiteral("turnThePart")); }
+  QToolButton* turnButton() { return view.findChild<QToolButton*>("turnThePart"); }
 
   std::vector<Eigen::Vector3d> asked;
   QMetaObject::Connection kept =
@@ -87,8 +83,7 @@ TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
   const auto hold = [&](int readings) {
     for (int k = 0; k < readings; ++k) {
       turnTo(expSO3(Eigen::Vector3d(tremor(random), tremor(random), tremor(random))) * Eigen::Vector3d::UnitY());
-      moment.readings = readingsOf({{CellId(1), {0.01 * k, 0, 1}}});
-      view.setMoment(moment);
+      read(readingsOf({{CellId(1), {0.01 * k, 0, 1}}}));
       test::letTurnsPass();
     }
   };
@@ -108,13 +103,7 @@ TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
   for (int k = 1; k <= 12; ++k) turnTo(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
   EXPECT_NE(view.screenshot(), before);
   for (int k = 11; k >= 0; --k) turnTo(expSO3(5 * k * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY());
-  const QImage after = view.screenshot();
-  std::size_t other = 0;
-  for (int y = 0; y < after.height(); ++y) {
-    for (int x = 0; x < after.width(); ++x)
-      other += std::abs(qGray(after.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
-  }
-  EXPECT_LT(other, 200U) << "pixels";
+  EXPECT_LT(differingShare(view.screenshot(), before, 24) * before.width() * before.height(), 200) << "pixels";
 }
 
 TEST_F(PartMotionTest, TheGhostComesAndGoes) {
@@ -142,13 +131,8 @@ TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
     const auto place = SceneGhost::placeIn(ghost.width(), ghost.height());
     const int middle = ghost.height() - static_cast<int>((place[1] + place[3]) / 2);
     const int from = static_cast<int>(place[0] + 0.05 * (place[2] - place[0]));
-    int changed = 0;
-    for (int x = from; x < from + 10; ++x) {
-      for (int y = middle - 4; y <= middle + 4; ++y) {
-        changed += std::abs(qGray(ghost.pixel(x, y)) - qGray(before.pixel(x, y))) > 24;
-      }
-    }
-    return changed;
+    constexpr int kPixels = 10 * 9;
+    return kPixels * differingShare(ghost, before, 24, QRect(from, middle - 4, 10, 9));
   };
   EXPECT_GT(changedAtTheLeftEnd(Eigen::Vector3d::UnitZ()), 5);
   const Eigen::Vector3d nearly_there = expSO3(5 * kDegree * Eigen::Vector3d::UnitX()) * Eigen::Vector3d::UnitY();

@@ -3,14 +3,6 @@
 #include "widgets/patch/cut_bar.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QContextMenuEvent>
-#include <QMenu>
-#include <QSlider>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 
@@ -26,47 +18,50 @@ class PatchFormTest : public PatchViewFixture {
     if (QMenu* menu = openMenu()) menu->close();
   }
 
-  QMenu* openMenu() { return view.findChild<QMenu*>(QStringLiteral("patchMenu")); }
+  QMenu* openMenu() { return view.findChild<QMenu*>("patchMenu"); }
   void clickRight(const QPoint& at, const QPoint& to) {
     test::dragMouse(canvas, at, to, {}, Qt::RightButton, to == at ? 0 : 1);
   }
-  QAction* entry(const QMenu& menu, const char* name) {
-    for (QAction* action : menu.actions()) {
-      if (action->objectName() == QLatin1String(name)) return action;
+  /// Of the open menu; none where the menu does not have it.
+  QAction* entry(const char* name) {
+    for (QAction* action : test::part<QMenu>(view, "patchMenu")->actions()) {
+      if (action->objectName() == name) return action;
     }
     return nullptr;
+  }
+  QAction* theEntry(const char* name) {
+    QAction* found = entry(name);
+    if (found == nullptr) throw std::runtime_error(std::string("the menu has no ") + name);
+    return found;
   }
 };
 
 TEST_F(PatchFormTest, TheRightButtonOpensAMenuForTheCellUnderItAndThePicture) {
   clickRight(canvas->rect().center(), canvas->rect().center());
-  QMenu* menu = openMenu();
-  ASSERT_NE(menu, nullptr);
-  QAction* pick = entry(*menu, "actionPickCell");
-  ASSERT_NE(pick, nullptr);
-  EXPECT_TRUE(pick->text().contains(QStringLiteral("1"))) << pick->text().toStdString();
-  pick->trigger();
+  EXPECT_THAT(theEntry("actionPickCell")->text(), HasText("1"));
+  theEntry("actionPickCell")->trigger();
   EXPECT_EQ(selection.cell(), CellId(1));
-  ASSERT_NE(entry(*menu, "actionCenterCell"), nullptr);
-  for (const QAction* action :
+  EXPECT_NE(entry("actionCenterCell"), nullptr);
+  for (QAction* action :
        {controls().fitAction(), controls().parallelAction(), controls().cutAction(), controls().measureAction(),
         controls().pictureAction(), controls().coloringMenu()->menuAction(), controls().showMenu()->menuAction()}) {
-    EXPECT_TRUE(menu->actions().contains(const_cast<QAction*>(action))) << action->text().toStdString();
+    EXPECT_TRUE(openMenu()->actions().contains(action)) << action->text().toStdString();
   }
-  QAction* copy = entry(*menu, "actionCopyPicture");
-  ASSERT_NE(copy, nullptr);
   QApplication::clipboard()->clear();
-  copy->trigger();
+  theEntry("actionCopyPicture")->trigger();
   EXPECT_EQ(QApplication::clipboard()->image().size(), canvas->size() * canvas->devicePixelRatioF());
 }
 
-TEST_F(PatchFormTest, BesideTheSkinTheMenuIsAboutThePictureAlone) {
+TEST_F(PatchFormTest, BesideTheSkinTheMenuIsAboutThePictureAloneAndByItsKeyAboutWhatIsInTheMiddle) {
   const QPoint beside(canvas->width() / 2, canvas->height() - 4);
   clickRight(beside, beside);
-  QMenu* menu = openMenu();
-  ASSERT_NE(menu, nullptr);
-  EXPECT_EQ(entry(*menu, "actionPickCell"), nullptr);
-  EXPECT_TRUE(menu->actions().contains(controls().fitAction()));
+  EXPECT_EQ(entry("actionPickCell"), nullptr);
+  EXPECT_TRUE(openMenu()->actions().contains(controls().fitAction()));
+  openMenu()->close();
+  ASSERT_TRUE(test::waitUntil([this] { return openMenu() == nullptr; }));
+  QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3));
+  QApplication::sendEvent(&view, &key);
+  EXPECT_NE(entry("actionPickCell"), nullptr);
 }
 
 TEST_F(PatchFormTest, DraggingWithTheRightButtonZoomsAndOpensNothing) {
@@ -75,14 +70,6 @@ TEST_F(PatchFormTest, DraggingWithTheRightButtonZoomsAndOpensNothing) {
   clickRight(from, from + QPoint(0, 60));
   EXPECT_EQ(openMenu(), nullptr);
   EXPECT_NE(view.screenshot(), before);
-}
-
-TEST_F(PatchFormTest, TheMenuKeyOpensTheMenuForWhatIsInTheMiddle) {
-  QContextMenuEvent key(QContextMenuEvent::Keyboard, QPoint(3, 3));
-  QApplication::sendEvent(&view, &key);
-  QMenu* menu = openMenu();
-  ASSERT_NE(menu, nullptr);
-  EXPECT_NE(entry(*menu, "actionPickCell"), nullptr);
 }
 
 TEST_F(PatchFormTest, ACellIsBroughtIntoTheMiddleByTheMenu) {
@@ -97,10 +84,7 @@ TEST_F(PatchFormTest, ACellIsBroughtIntoTheMiddleByTheMenu) {
   ASSERT_FALSE(beside.isNull());
   selection.clear();
   clickRight(beside, beside);
-  ASSERT_NE(openMenu(), nullptr);
-  QAction* center = entry(*openMenu(), "actionCenterCell");
-  ASSERT_NE(center, nullptr);
-  center->trigger();
+  theEntry("actionCenterCell")->trigger();
   EXPECT_NE(view.screenshot(), before);
   EXPECT_EQ(selection.cell(), std::nullopt);
 }
@@ -137,8 +121,7 @@ TEST_F(PatchFormTest, AClickOnAKnobOfTheAxesTurnsThePictureAndPicksNothing) {
 }
 
 TEST_F(PatchFormTest, TheCutHasASliderThatTheKeysMoveAndThatIsThereOnlyForIt) {
-  auto* bar = view.findChild<CutBar*>();
-  ASSERT_NE(bar, nullptr);
+  auto* bar = test::part<CutBar>(view);
   EXPECT_FALSE(bar->isVisible());
   const QImage whole = view.screenshot();
   controls().cutAction()->trigger();

@@ -4,10 +4,6 @@
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/scene/scene_corners.h"
 
-#include <QDoubleSpinBox>
-#include <QRadioButton>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 
@@ -34,10 +30,10 @@ class PatchLegendViewTest : public PatchViewFixture {
 
   PatchLegendView& legend() { return *view.findChild<PatchLegendView*>(); }
   QString said() { return legend().accessibleDescription(); }
-  QToolButton* button() { return legend().findChild<QToolButton*>(QStringLiteral("scaleRange")); }
+  QToolButton* button() { return legend().findChild<QToolButton*>("scaleRange"); }
   template <class T>
   T* inPopup(const char* name) {
-    return legend().findChild<T*>(QLatin1String(name));
+    return test::part<T>(legend(), QLatin1String(name));
   }
   void key(int key) { QTest::keyClick(&legend(), Qt::Key(key)); }
   /// In the middle of the bar.
@@ -46,11 +42,9 @@ class PatchLegendViewTest : public PatchViewFixture {
 
 TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
   EXPECT_TRUE(legend().isVisible());
-  EXPECT_TRUE(legend().accessibleName().contains(QStringLiteral("position uncertainty (95 %), mm")));
-  for (const char* part : {"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}) {
-    EXPECT_TRUE(said().contains(QLatin1String(part))) << part << " in " << qPrintable(said());
-  }
-  EXPECT_EQ(button()->text(), QStringLiteral("fitted range ▾"));
+  EXPECT_TRUE(legend().accessibleName().contains("position uncertainty (95 %), mm"));
+  EXPECT_THAT(said(), HasTexts({"range fitted to what is shown", "more than 2.00 mm: 1 cell", "not known: 1 cell"}));
+  EXPECT_EQ(button()->text(), "fitted range ▾");
   EXPECT_TRUE(view.rect().contains(legend().geometry()));
   EXPECT_TRUE(legend().rect().contains(button()->geometry()));
 }
@@ -62,7 +56,7 @@ TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
   view.setReconstruction(shared(unknown));
   EXPECT_TRUE(legend().isVisible());
   EXPECT_FALSE(button()->isVisible());
-  EXPECT_FALSE(said().contains(QStringLiteral("from"))) << qPrintable(said());
+  EXPECT_THAT(said(), testing::Not(HasText("from")));
 }
 
 TEST_F(PatchLegendViewTest, InANarrowViewTheTitleHasLinesOfItsOwnAndTheAxesTheirPlace) {
@@ -82,23 +76,23 @@ TEST_F(PatchLegendViewTest, InANarrowViewTheTitleHasLinesOfItsOwnAndTheAxesTheir
 TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {
   legend().setFocus();
   key(Qt::Key_Home);
-  EXPECT_TRUE(said().contains(QRegularExpression(QStringLiteral("^0.35 to 0.42 mm: 1 cell$")))) << qPrintable(said());
+  EXPECT_TRUE(said().contains(QRegularExpression("^0.35 to 0.42 mm: 1 cell$"))) << qPrintable(said());
   key(Qt::Key_Left);
-  EXPECT_TRUE(said().startsWith(QStringLiteral("0.35 to"))) << "nothing lies below";
+  EXPECT_TRUE(said().startsWith("0.35 to")) << "nothing lies below";
   key(Qt::Key_Right);
-  EXPECT_TRUE(said().contains(QStringLiteral("0 cells"))) << qPrintable(said());
+  EXPECT_THAT(said(), HasText("0 cells"));
   key(Qt::Key_End);
-  EXPECT_EQ(said(), QStringLiteral("more than 2.00 mm: 1 cell"));
+  EXPECT_EQ(said(), "more than 2.00 mm: 1 cell");
   key(Qt::Key_Right);
-  EXPECT_EQ(said(), QStringLiteral("more than 2.00 mm: 1 cell"));
+  EXPECT_EQ(said(), "more than 2.00 mm: 1 cell");
   button()->setFocus();
-  EXPECT_TRUE(said().contains(QStringLiteral("coloured by"))) << "left, it says what it is again";
+  EXPECT_TRUE(said().contains("coloured by")) << "left, it says what it is again";
 }
 
 TEST_F(PatchLegendViewTest, TheMouseReadsTheScale) {
   const QImage before = legend().grab().toImage();
   test::moveMouse(&legend(), bar());
-  EXPECT_TRUE(said().contains(QStringLiteral(" mm: "))) << qPrintable(said());
+  EXPECT_THAT(said(), HasText(" mm: "));
   EXPECT_NE(legend().grab().toImage(), before);
   QEvent leave(QEvent::Leave);
   QCoreApplication::sendEvent(&legend(), &leave);
@@ -110,7 +104,7 @@ TEST_F(PatchLegendViewTest, AClickOrEnterFixesTheRangeAndTheNextReleasesIt) {
   QTest::mouseClick(&legend(), Qt::LeftButton, {}, bar());
   ASSERT_TRUE(ranges.fixed(Coloring::PositionUncertainty).has_value());
   EXPECT_NEAR(ranges.fixed(Coloring::PositionUncertainty)->high, 1.96, 0.05);
-  EXPECT_EQ(button()->text(), QStringLiteral("fixed range ▾"));
+  EXPECT_EQ(button()->text(), "fixed range ▾");
   EXPECT_NE(view.screenshot(), fitted) << "the picture says so, too";
   legend().setFocus();
   key(Qt::Key_Return);
@@ -121,7 +115,6 @@ TEST_F(PatchLegendViewTest, AClickOrEnterFixesTheRangeAndTheNextReleasesIt) {
 TEST_F(PatchLegendViewTest, ARangeIsChosenOrTypedInThePopup) {
   QTest::mouseClick(button(), Qt::LeftButton);
   auto* popup = inPopup<QFrame>("rangePopup");
-  ASSERT_NE(popup, nullptr);
   ASSERT_TRUE(popup->isVisible());
   EXPECT_TRUE(inPopup<QRadioButton>("rangeFitted")->isChecked());
   QTest::mouseClick(inPopup<QRadioButton>("rangeUsual"), Qt::LeftButton, {}, QPoint(8, 8));
@@ -145,7 +138,7 @@ TEST_F(PatchLegendViewTest, PointsAtThePickedCellsValueOrAtTheOneThatIsGiven) {
   EXPECT_EQ(legend().markedValue(), std::nullopt);
   selection.selectCell(CellId(1));
   EXPECT_NEAR(legend().markedValue().value_or(0), 0.392, 1e-3);
-  view.setMarkedValue(1.2, QStringLiteral("cell 9: 1.20 mm"));
+  view.setMarkedValue(1.2, "cell 9: 1.20 mm");
   EXPECT_EQ(legend().markedValue(), 1.2);
   selection.selectCell(CellId(2));
   EXPECT_EQ(legend().markedValue(), 1.2) << "what is pointed at comes first";
@@ -171,15 +164,15 @@ TEST_F(PatchLegendViewTest, ALegendOfClassesIsNoObstacleAndHasNoRange) {
 }
 
 TEST_F(PatchLegendViewTest, SignsOnCellsAreExplainedWhereThereAreAny) {
-  EXPECT_FALSE(said().contains(QStringLiteral("crossed")));
+  EXPECT_FALSE(said().contains("crossed"));
   Reconstruction faulty = *skin();
   faulty.patches[0].cells[4].placed_by = PlacedBy::Links;
   faulty.findings = {makeFinding(FindingCode::TurnedSensor, Message::verbatim("turned"), {CellId(5)})};
   const int height = legend().height();
   view.setReconstruction(shared(faulty));
-  EXPECT_TRUE(said().contains(QStringLiteral("crossed cells: an error was found in their readings")));
-  EXPECT_TRUE(said().contains(QStringLiteral("hatched cells: placed through their links alone")));
-  EXPECT_FALSE(said().contains(QStringLiteral("triangle")));
+  EXPECT_TRUE(said().contains("crossed cells: an error was found in their readings"));
+  EXPECT_TRUE(said().contains("hatched cells: placed through their links alone"));
+  EXPECT_FALSE(said().contains("triangle"));
   EXPECT_GT(legend().height(), height);
 }
 

@@ -9,17 +9,10 @@
 #include "widgets/style/scene_colors.h"
 #include "widgets/words/formatting.h"
 
-#include <gmock/gmock.h>
 #include <vtkCamera.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
-#include <QAction>
-#include <QLabel>
-#include <QMouseEvent>
-#include <QToolButton>
-#include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -54,8 +47,8 @@ class PatchPointingTest : public PatchViewFixture {
     QEvent event(QEvent::Leave);
     QCoreApplication::sendEvent(canvas, &event);
   }
-  FigureCard* hoverCard() { return view.findChild<FigureCard*>(QStringLiteral("hoverCard")); }
-  FigureCard* figureCard() { return view.findChild<FigureCard*>(QStringLiteral("figureCard")); }
+  FigureCard* hoverCard() { return view.findChild<FigureCard*>("hoverCard"); }
+  FigureCard* figureCard() { return view.findChild<FigureCard*>("figureCard"); }
   const PatchMarks::Content& marks() { return view.findChild<PatchMarks*>()->content(); }
   /// Moves the mouse there, until it is found there: the display's own mouse may leave the view meanwhile.
   template <class Condition>
@@ -92,12 +85,11 @@ TEST_F(PatchPointingTest, ACardBesideTheMouseHasAllMetricsOfTheCellInTheWordsOfT
 }
 
 TEST_F(PatchPointingTest, BesideAPortItIsTheLink) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2))));
   const LinkEstimate& link = skin->patches[0].links[0];
   ASSERT_EQ(link.target.cell, CellId(2));
-  ASSERT_TRUE(hover(between, QStringLiteral("<b>Link 1")));
+  ASSERT_TRUE(hover(between, "<b>Link 1"));
   EXPECT_EQ(hoverCard()->text(), linkToolTip(*skin, link));
   QTest::mouseClick(canvas, Qt::LeftButton, {}, between);
   EXPECT_EQ(selection.link(), Selection::Link(link.source, link.target));
@@ -120,7 +112,7 @@ TEST_F(PatchPointingTest, PointingDrawsNothingOfTheSceneAnew) {
 }
 
 TEST_F(PatchPointingTest, WhileTheSceneIsTurnedNothingIsPointedAt) {
-  ASSERT_TRUE(hover(positionOf(CellId(1)), QStringLiteral("<b>Cell 1</b>")));
+  ASSERT_TRUE(hover(positionOf(CellId(1)), "<b>Cell 1</b>"));
   QTest::mousePress(canvas, Qt::LeftButton, {}, positionOf(CellId(1)));
   EXPECT_FALSE(hoverCard()->isVisible());
   test::moveMouse(canvas, positionOf(CellId(1)) + QPoint(30, 8), Qt::LeftButton);
@@ -203,8 +195,7 @@ TEST_F(PatchPointingTest, APickedCellThatIsHiddenIsSeenThroughTheOthersWithItsNu
   EXPECT_FALSE(marks().picked.hidden);
   EXPECT_TRUE(marks().picked.tag.isEmpty()) << "it stands on the cell";
   // From the side the cylinder hides what is on its other side.
-  view.showStandardView(PatchView::StandardView::Side);
-  view.drawNow();
+  look(PatchView::StandardView::Side);
   int hidden = 0;
   for (const CellPlacement& cell : skin->patches[0].cells) {
     selection.selectCell(cell.cell);
@@ -219,7 +210,7 @@ TEST_F(PatchPointingTest, APickedCellThatIsHiddenIsSeenThroughTheOthersWithItsNu
 TEST_F(PatchPointingTest, OfALargeSkinTheNumberOfThePickedCellIsThere) {
   show(shared(cylinderSheet(60, 50)));
   selection.selectCell(CellId(1500));
-  EXPECT_EQ(marks().picked.tag, QStringLiteral("1500"));
+  EXPECT_EQ(marks().picked.tag, "1500");
   selection.seekCell(CellId(2999));
   view.drawNow();
   EXPECT_TRUE(marks().picked.tag.isEmpty()) << "it stands on the cell, which is near now";
@@ -246,8 +237,7 @@ TEST_F(PatchPointingTest, TheCameraTurnsToEveryCellThatIsSought) {
 }
 
 TEST_F(PatchPointingTest, WhatIsSeenAlreadyIsNotTurnedTo) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   const Eigen::Vector3d ahead(renderer()->GetActiveCamera()->GetDirectionOfProjection());
   selection.seekCell(CellId(2));
   const Eigen::Vector3d then(renderer()->GetActiveCamera()->GetDirectionOfProjection());
@@ -283,12 +273,10 @@ TEST_F(PatchPointingTest, AfterFitThereIsNothingToComeBackTo) {
 }
 
 TEST_F(PatchPointingTest, TheCameraGlidesToWhereItWouldHaveJumped) {
-  view.showStandardView(PatchView::StandardView::Side);
-  view.drawNow();
+  look(PatchView::StandardView::Side);
   selection.seekCell(CellId(15));
   const Eigen::Vector3d jumped = cameraAt();
-  view.showStandardView(PatchView::StandardView::Side);
-  view.drawNow();
+  look(PatchView::StandardView::Side);
   const Eigen::Vector3d before = cameraAt();
   view.setAnimated(true);
   selection.seekCell(CellId(15));
@@ -299,8 +287,7 @@ TEST_F(PatchPointingTest, TheCameraGlidesToWhereItWouldHaveJumped) {
 }
 
 TEST_F(PatchPointingTest, ArrowKeysWalkToTheNeighbourThatLiesThere) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   EXPECT_EQ(view.focusPolicy(), Qt::StrongFocus);
   QTest::keyClick(&view, Qt::Key_Right);
   EXPECT_EQ(selection.cell(), CellId(1)) << "the origin, where nothing is picked";
@@ -341,12 +328,12 @@ TEST_F(PatchPointingTest, TheMetricsOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
   EXPECT_TRUE(figureCard()->text().startsWith(cellToolTip(*skin, CellId(6))));
   EXPECT_TRUE(view.rect().contains(figureCard()->geometry()));
   EXPECT_FALSE(figureCard()->geometry().intersects(marks().picked.line.boundingRect().toAlignedRect()));
-  figureCard()->findChild<QToolButton*>(QStringLiteral("neighbor10"))->click();
+  figureCard()->findChild<QToolButton*>("neighbor10")->click();
   EXPECT_EQ(selection.cell(), CellId(10));
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("<b>Cell 10</b>")));
+  EXPECT_TRUE(figureCard()->text().contains("<b>Cell 10</b>"));
   selection.selectLink({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)});
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("<b>Link 1")));
-  EXPECT_NE(figureCard()->findChild<QToolButton*>(QStringLiteral("neighbor2")), nullptr);
+  EXPECT_TRUE(figureCard()->text().contains("<b>Link 1"));
+  EXPECT_NE(figureCard()->findChild<QToolButton*>("neighbor2"), nullptr);
   selection.clear();
   EXPECT_FALSE(figureCard()->isVisible());
   selection.selectCell(CellId(3));
@@ -360,14 +347,12 @@ TEST_F(PatchPointingTest, TheColourOfTheCellIsOnItsCardAsAFigure) {
   controls().action(Coloring::Residual)->setChecked(true);
   selection.selectCell(CellId(2));
   view.setMetricsShown(true);
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.40°"))) << figureCard()->text().toStdString();
-  moment.readings = readingsOf({{CellId(2), {0.1, 0.2, 0.93}}});
-  view.setMoment(moment);
+  EXPECT_THAT(figureCard()->text(), HasText("0.40°"));
+  read(readingsOf({{CellId(2), {0.1, 0.2, 0.93}}}));
   controls().action(Coloring::ReadingZ)->setChecked(true);
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("0.93"))) << figureCard()->text().toStdString();
-  moment.readings = readingsOf({{CellId(2), {0.1, 0.2, -0.51}}});
-  view.setMoment(moment);
-  EXPECT_TRUE(figureCard()->text().contains(QStringLiteral("−0.51"))) << figureCard()->text().toStdString();
+  EXPECT_THAT(figureCard()->text(), HasText("0.93"));
+  read(readingsOf({{CellId(2), {0.1, 0.2, -0.51}}}));
+  EXPECT_THAT(figureCard()->text(), HasText("−0.51"));
 }
 
 TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
@@ -377,7 +362,7 @@ TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
   moment.told_cell = CellId(7);
   view.setMoment(moment);
   const QImage told = view.screenshot();
-  EXPECT_EQ(marks().told.tag, QStringLiteral("cell 7"));
+  EXPECT_EQ(marks().told.tag, "cell 7");
   ASSERT_TRUE(marks().told.line.containsPoint(at, Qt::OddEvenFill));
   const QColor accent = Colors::of(Theme::Light).accent;
   const auto distanceToAccent = [&](const QImage& picture) {
@@ -399,10 +384,9 @@ TEST_F(PatchPointingTest, WhereSomethingWasFoundIsPointedOutAlsoWhereItIsHidden)
   faulty->findings.push_back(makeFinding(FindingCode::DeadSensor, {}, {CellId(7)}));
   show(faulty);
   for (const auto side : {PatchView::StandardView::Front, PatchView::StandardView::Side}) {
-    view.showStandardView(side);
-    view.drawNow();
+    look(side);
     ASSERT_EQ(marks().found.size(), 1u);
-    EXPECT_EQ(marks().found.front().tag, QStringLiteral("7"));
+    EXPECT_EQ(marks().found.front().tag, "7");
     EXPECT_EQ(marks().found.front().sign, Severity::Error);
     EXPECT_TRUE(marks().found.front().line.containsPoint(positionOf(CellId(7)), Qt::OddEvenFill));
   }
@@ -413,8 +397,7 @@ TEST_F(PatchPointingTest, WhereSomethingWasFoundIsPointedOutAlsoWhereItIsHidden)
 }
 
 TEST_F(PatchPointingTest, WhileMeasuringLinksAreNotPicked) {
-  view.showStandardView(PatchView::StandardView::Front);
-  view.drawNow();
+  look(PatchView::StandardView::Front);
   const QPoint between = positionOf(0.5 * (centerOf(CellId(1)) + centerOf(CellId(2)))) + QPoint(1, 0);
   controls().measureAction()->trigger();
   test::moveMouse(canvas, between);

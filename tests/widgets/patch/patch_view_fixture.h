@@ -1,15 +1,13 @@
 #pragma once
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/qt_text.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/selection.h"
 #include "widgets/patch/patch_controls.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
-
-#include <gtest/gtest.h>
-#include <QTest>
 
 namespace hexoderm {
 
@@ -20,14 +18,21 @@ class PatchViewFixture : public testing::Test {
   void SetUp() override {
     view.show();
     ASSERT_TRUE(test::waitUntilExposed(view));
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
+    canvas = test::part<SceneWidget>(view);
   }
 
   PatchControls& controls() { return *view.findChild<PatchControls*>(); }
   void click(const QPoint& at) {
     QTest::mousePress(canvas, Qt::LeftButton, {}, at);
     QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
+  }
+  void read(std::shared_ptr<const CellReadings> readings) {
+    moment.readings = std::move(readings);
+    view.setMoment(moment);
+  }
+  void look(PatchView::StandardView from) {
+    view.showStandardView(from);
+    view.drawNow();
   }
   void activate() {
     view.activateWindow();

@@ -10,12 +10,6 @@
 
 #include <vtkRenderWindow.h>
 #include <vtkWeakPointer.h>
-#include <QAction>
-#include <QMenu>
-#include <QRegularExpression>
-#include <QSignalSpy>
-#include <QToolButton>
-#include <set>
 
 namespace hexoderm {
 namespace {
@@ -32,7 +26,16 @@ class PatchViewTest : public PatchViewFixture {
     for (QToolButton* candidate : view.findChildren<QToolButton*>()) {
       if (candidate->text() == text) return candidate;
     }
-    return nullptr;
+    throw std::runtime_error("there is no button " + text.toStdString());
+  }
+
+  void showAtRest() {
+    view.setReconstruction(demo());
+    ASSERT_TRUE(test::waitUntil([this] {
+      const test::PictureCounter still_drawn(*canvas);
+      test::letTurnsPass();
+      return canvas->isPictureSmoothed() && still_drawn.count() == 0;
+    }));
   }
 
   QString words() { return view.findChild<PatchCaptions*>()->accessibleDescription(); }
@@ -41,8 +44,7 @@ class PatchViewTest : public PatchViewFixture {
 };
 
 TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
-  view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
+  ASSERT_NO_FATAL_FAILURE(showAtRest());
   const QImage small = canvas->picture();
   view.resize(700, 500);
   ASSERT_TRUE(test::waitUntil([this] { return canvas->width() > 640; }));
@@ -55,9 +57,7 @@ TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
 }
 
 TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothOne) {
-  view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
-  QCoreApplication::processEvents();
+  ASSERT_NO_FATAL_FAILURE(showAtRest());
   const test::PictureCounter drawn(*canvas);
   for (const int width : {700, 660, 720, 680}) view.setFixedSize(width, 500);
   view.setPalette(qtPalette(Theme::Dark));
@@ -71,12 +71,7 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASm
 }
 
 TEST_F(PatchViewTest, AnotherPaletteOfTheSameThemeDrawsNothing) {
-  view.setReconstruction(demo());
-  ASSERT_TRUE(test::waitUntil([this] {
-    const test::PictureCounter still_drawn(*canvas);
-    test::letTurnsPass();
-    return canvas->isPictureSmoothed() && still_drawn.count() == 0;
-  }));
+  ASSERT_NO_FATAL_FAILURE(showAtRest());
   const test::PictureCounter drawn(*canvas);
   QPalette palette = view.palette();
   palette.setColor(QPalette::Link, Qt::red);
@@ -147,7 +142,6 @@ TEST_F(PatchViewTest, TheWheelZoomsAndTheButtonFitsAgain) {
   const QImage fitted = view.screenshot();
   test::turnWheel(canvas, canvas->rect().center(), 120);
   EXPECT_NE(view.screenshot(), fitted);
-  ASSERT_NE(button("Fit"), nullptr);
   QTest::mouseClick(button("Fit"), Qt::LeftButton);
   EXPECT_EQ(view.screenshot(), fitted);
 }
@@ -160,12 +154,10 @@ TEST_F(PatchViewTest, ColourModesChangeThePictureAndTheLegend) {
     cell.shape_cov_t_r = Matrix6d::Identity() * 1e-7 * static_cast<double>(skin.patches[0].pathTo(cell.cell).size());
   }
   view.setReconstruction(shared(skin));
-  moment.readings = readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0.1, 0.2, 0.9}}, {CellId(2), {0.5, -0.6, 0.7}}}, {{CellId(2), 31.5}}));
   overlays.surface = shared(evaluateSurface(skin.patches[0], SurfaceKind::Sphere));
   view.setOverlays(overlays);
-  auto* modes = view.findChild<QMenu*>(QStringLiteral("coloringMenu"));
-  ASSERT_NE(modes, nullptr);
+  auto* modes = test::part<QMenu>(view, "coloringMenu");
   std::vector<QImage> pictures;
   std::set<QString> legends;
   for (QAction* mode : modes->actions()) {
@@ -197,27 +189,22 @@ TEST_F(PatchViewTest, WhatCantBeShownSaysWhy) {
     expectReason(controls().action(item));
   }
   EXPECT_TRUE(controls().action(SceneItem::Links)->isEnabled());
-  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, 1}}}));
   EXPECT_TRUE(controls().action(Coloring::ReadingX)->isEnabled());
   EXPECT_FALSE(controls().action(Coloring::Temperature)->isEnabled());
-  moment.readings = readingsOf({});
-  view.setMoment(moment);
+  read(readingsOf({}));
   EXPECT_FALSE(controls().action(Coloring::ReadingX)->isEnabled());
 }
 
 TEST_F(PatchViewTest, ReadingsRecolourTheCellsAtOnce) {
   view.setReconstruction(demo());
-  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, 1}}}));
   controls().action(Coloring::ReadingZ)->setChecked(true);
   const QImage up = view.screenshot();
-  EXPECT_TRUE(words().contains(QStringLiteral("z, g"))) << words().toStdString();
-  moment.readings = readingsOf({{CellId(1), {0, 0, -1}}});
-  view.setMoment(moment);
+  EXPECT_THAT(words(), HasText("z, g"));
+  read(readingsOf({{CellId(1), {0, 0, -1}}}));
   EXPECT_NE(view.screenshot(), up);
-  moment.readings = readingsOf({{CellId(1), {0, 0, 1}}});
-  view.setMoment(moment);
+  read(readingsOf({{CellId(1), {0, 0, 1}}}));
   EXPECT_EQ(view.screenshot(), up);
 }
 
@@ -228,36 +215,34 @@ TEST_F(PatchViewTest, OverlaysAreNamedWithTheirEnlargement) {
   for (const CellPlacement& cell : skin->patches[0].cells) truth.cells.push_back({cell.cell, cell.T_o_u});
   overlays.truth = std::make_shared<const GroundTruth>(truth);
   view.setOverlays(overlays);
-  EXPECT_FALSE(words().contains(QStringLiteral("truth"))) << "only where it was asked for";
+  EXPECT_FALSE(words().contains("truth")) << "only where it was asked for";
   controls().action(SceneItem::Truth)->trigger();
-  EXPECT_TRUE(words().contains(QStringLiteral("truth")));
+  EXPECT_TRUE(words().contains("truth"));
   overlays.loop = shared(evaluateLoop(*skin, {CellId(14), PortNumber(1)}, {CellId(17), PortNumber(4)}));
   view.setOverlays(overlays);
-  EXPECT_TRUE(words().contains(QStringLiteral("loop gap: "))) << words().toStdString();
+  EXPECT_THAT(words(), HasText("loop gap: "));
   Reconstruction before = *skin;
   before.patches[0].cells[3].T_o_u.t.z() += 0.001;
   overlays.comparison = shared(compareToReconstruction(*skin, before));
   view.setOverlays(overlays);
-  EXPECT_TRUE(words().contains(QStringLiteral("arrows: from before to now, drawn 10 times as large")))
-      << words().toStdString();
+  EXPECT_THAT(words(), HasText("arrows: from before to now, drawn 10 times as large"));
   controls().action(SceneItem::Comparison)->trigger();
-  EXPECT_FALSE(words().contains(QStringLiteral("arrows")));
+  EXPECT_FALSE(words().contains("arrows"));
 }
 
 TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
   view.setReconstruction(demo());
-  EXPECT_FALSE(words().contains(QStringLiteral("not placed")));
+  EXPECT_FALSE(words().contains("not placed"));
   DemoOptions lonely;
   lonely.first_id = 101;
   lonely.arm_cells = 0;
   view.setReconstruction(shared(demoPatches({DemoOptions(), lonely})));
-  EXPECT_TRUE(words().contains(QStringLiteral("dashed frame: patch of cell 101, not placed against the others")))
-      << words().toStdString();
+  EXPECT_THAT(words(), HasText("dashed frame: patch of cell 101, not placed against the others"));
   controls().measureAction()->trigger();
   selection.selectCell(CellId(1));
   selection.selectCell(CellId(101));
-  EXPECT_TRUE(words().contains(QStringLiteral("Cells 1 and 101 are in different patches"))) << words().toStdString();
-  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  EXPECT_THAT(words(), HasText("Cells 1 and 101 are in different patches"));
+  EXPECT_FALSE(words().contains("mm apart"));
   controls().measureAction()->trigger();
   std::vector<DemoOptions> many = {DemoOptions()};
   for (std::uint32_t k = 0; k < 9; ++k) {
@@ -265,38 +250,35 @@ TEST_F(PatchViewTest, PatchesThatAreNotPlacedAreSaidText) {
     many.back().first_id += k;
   }
   view.setReconstruction(shared(demoPatches(many)));
-  EXPECT_TRUE(words().contains(QStringLiteral("9 patches beside the largest"))) << words().toStdString();
+  EXPECT_THAT(words(), HasText("9 patches beside the largest"));
 }
 
 TEST_F(PatchViewTest, MeasuresBetweenTwoClickedCellsUntilEsc) {
   view.setReconstruction(demo());
   view.showStandardView(PatchView::StandardView::Front);
   static_cast<void>(view.screenshot());
-  QToolButton* tool = button(controls().measureAction()->iconText());
-  ASSERT_NE(tool, nullptr);
-  QTest::mouseClick(tool, Qt::LeftButton);
-  EXPECT_TRUE(words().contains(QStringLiteral("first cell")));
+  QTest::mouseClick(button(controls().measureAction()->iconText()), Qt::LeftButton);
+  EXPECT_TRUE(words().contains("first cell"));
   click(canvas->rect().center());
   EXPECT_EQ(selection.cell(), CellId(1));
-  EXPECT_TRUE(words().contains(QStringLiteral("second cell")));
+  EXPECT_TRUE(words().contains("second cell"));
   const QImage one = view.screenshot();
   selection.selectCell(CellId(6));  // picked in another view: the same
-  EXPECT_TRUE(words().contains(QRegularExpression(QStringLiteral("[0-9.]+ mm apart.*[0-9.]+°"))))
-      << words().toStdString();
+  EXPECT_TRUE(words().contains(QRegularExpression("[0-9.]+ mm apart.*[0-9.]+°"))) << words().toStdString();
   EXPECT_NE(view.screenshot(), one);
   ASSERT_NO_FATAL_FAILURE(activate());
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(controls().measureAction()->isChecked());
-  EXPECT_FALSE(words().contains(QStringLiteral("mm apart")));
+  EXPECT_FALSE(words().contains("mm apart"));
   EXPECT_TRUE(view.isVisible()) << "Esc never closes";
   selection.selectCell(CellId(3));
-  EXPECT_FALSE(words().contains(QStringLiteral("second cell"))) << "it is off";
+  EXPECT_FALSE(words().contains("second cell")) << "it is off";
 }
 
 TEST_F(PatchViewTest, LargeSkinIsPreparedBesideTheWindowAndTheNewestWins) {
   view.setReconstruction(shared(cylinderSheet(100, 80)));
   EXPECT_FALSE(view.isUpToDate());
-  EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains(QStringLiteral("Preparing")));
+  EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().contains("Preparing"));
   view.setReconstruction(shared(cylinderSheet(60, 50)));
   ASSERT_TRUE(test::waitUntil([this] { return view.isUpToDate(); }));
   EXPECT_TRUE(view.findChild<PatchCaptions*>()->accessibleName().isEmpty());
@@ -347,8 +329,8 @@ TEST_F(PatchViewTest, TheMenuOffersToSaveAPictureAndSaysWhatDraws) {
   ASSERT_FALSE(renderer.isEmpty());
   QSignalSpy requested(&view, &PatchView::pictureRequested);
   bool said = false;
-  for (QAction* action : view.findChild<QMenu*>(QStringLiteral("showMenu"))->actions()) {
-    if (action->objectName() == QStringLiteral("actionScenePicture")) action->trigger();
+  for (QAction* action : view.findChild<QMenu*>("showMenu")->actions()) {
+    if (action->objectName() == "actionScenePicture") action->trigger();
     said = said || action->text().contains(renderer);
   }
   EXPECT_EQ(requested.count(), 1);

@@ -5,8 +5,7 @@
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QGuiApplication>
-#include <QOpenGLContext>
+#include <QtWidgets>
 
 namespace hexoderm {
 namespace {

@@ -2,8 +2,6 @@
 
 #include "tests/support/hand_made_skins.h"
 
-#include <memory>
-
 namespace hexoderm {
 
 /// A sheet whose position uncertainty grows with the cell's number.

@@ -1,11 +1,8 @@
 #include "widgets/plot/plot_data.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/widgets/plot/growing_sheet.h"
 
 #include <gmock/gmock.h>
-#include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -31,9 +28,8 @@ TEST(PlotData, EveryFigureOfTheTableThatIsAQuantityCanBeAnAxis) {
     }
     for (const PlotFigure& figure : figures) EXPECT_FALSE(plotFigureName(subject, figure).isEmpty());
   }
-  EXPECT_EQ(plotAxisTitle(PlotSubject::Cells, Coloring::PositionUncertainty),
-            QStringLiteral("position uncertainty (95 %), mm"));
-  EXPECT_EQ(plotAxisTitle(PlotSubject::Cells, std::nullopt), QStringLiteral("number of the cell"));
+  EXPECT_EQ(plotAxisTitle(PlotSubject::Cells, Coloring::PositionUncertainty), "position uncertainty (95 %), mm");
+  EXPECT_EQ(plotAxisTitle(PlotSubject::Cells, std::nullopt), "number of the cell");
 }
 
 TEST(PlotData, PointsAreTheMetricsOfTheCellsAndWhatLacksOneIsCounted) {
@@ -94,10 +90,10 @@ TEST(PlotData, WithoutASkinThereIsNothing) {
 }
 
 TEST(PlotData, ValuesAreWrittenWithThreeDigitsAndTheirUnit) {
-  EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 0.8349), QStringLiteral("0.835\u00a0mm"));
-  EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 12.349), QStringLiteral("12.3\u00a0mm"));
-  EXPECT_EQ(plotValueText(Coloring::Bend, 123.49), QStringLiteral("123°"));
-  EXPECT_EQ(plotValueText(std::nullopt, 17), QStringLiteral("17"));
+  EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 0.8349), "0.835\u00a0mm");
+  EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 12.349), "12.3\u00a0mm");
+  EXPECT_EQ(plotValueText(Coloring::Bend, 123.49), "123°");
+  EXPECT_EQ(plotValueText(std::nullopt, 17), "17");
 }
 
 }  // namespace

@@ -7,11 +7,6 @@
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
-#include <QComboBox>
-#include <QLabel>
-#include <QSignalSpy>
-#include <QStandardItemModel>
-#include <QTest>
 
 namespace hexoderm {
 namespace {
@@ -50,7 +45,7 @@ class PlotViewTest : public testing::Test {
     test::dragMouse(canvas_, QPoint(std::min(a.x(), b.x()) - 6, std::max(a.y(), b.y()) + 6),
                     QPoint(std::max(a.x(), b.x()) + 6, std::min(a.y(), b.y()) - 6), keys);
   }
-  QString summary() { return view_.findChild<QLabel*>(QStringLiteral("plotSummary"))->text(); }
+  QString summary() { return view_.findChild<QLabel*>("plotSummary")->text(); }
   QComboBox* box(const char* name) { return view_.findChild<QComboBox*>(QLatin1String(name)); }
   static std::vector<CellId> cells(std::initializer_list<std::uint32_t> ids) {
     std::vector<CellId> result;
@@ -69,15 +64,15 @@ TEST_F(PlotViewTest, ShowsAPointForEachCellWithinTheScales) {
   for (std::size_t k = 0; k < 12; ++k) EXPECT_TRUE(canvas_->rect().contains(view_.positionOf(k))) << k;
   EXPECT_LT(view_.positionOf(0).x(), view_.positionOf(11).x());
   EXPECT_GT(view_.positionOf(0).y(), view_.positionOf(11).y()) << "larger values are higher";
-  EXPECT_TRUE(summary().startsWith(QStringLiteral("12 cells")));
-  EXPECT_TRUE(box("plotUp")->currentText().endsWith(QStringLiteral(", mm")));
-  keep(QStringLiteral("plot-light"));
+  EXPECT_TRUE(summary().startsWith("12 cells"));
+  EXPECT_TRUE(box("plotUp")->currentText().endsWith(", mm"));
+  keep("plot-light");
 }
 
 TEST_F(PlotViewTest, AClickPicksTheCellAndOneBesideAllClears) {
   QTest::mouseClick(canvas_, Qt::LeftButton, {}, view_.positionOf(6));
   EXPECT_EQ(selection_.cell(), CellId(7));
-  const QImage picked = keep(QStringLiteral("plot-picked"));
+  const QImage picked = keep("plot-picked");
   QTest::mouseClick(canvas_, Qt::LeftButton, {}, view_.positionOf(0) - QPoint(0, 60));
   EXPECT_EQ(selection_.cell(), std::nullopt);
   EXPECT_NE(view_.grab().toImage(), picked);
@@ -87,7 +82,7 @@ TEST_F(PlotViewTest, WhatIsPickedElsewhereIsMarked) {
   const QImage before = view_.grab().toImage();
   selection_.selectCell(CellId(5));
   EXPECT_NE(view_.grab().toImage(), before);
-  EXPECT_TRUE(canvas_->accessibleDescription().startsWith(QStringLiteral("Cell 5")));
+  EXPECT_TRUE(canvas_->accessibleDescription().startsWith("Cell 5"));
   selection_.selectCell(CellId(99));
   EXPECT_EQ(view_.grab().toImage(), before) << "a cell that is not plotted";
 }
@@ -96,8 +91,8 @@ TEST_F(PlotViewTest, ARectangleBrushesTheCellsInItAndShiftAdds) {
   dragAbout(2, 4);
   EXPECT_EQ(selection_.brushed(), cells({3, 4, 5}));
   EXPECT_EQ(selection_.cell(), std::nullopt);
-  EXPECT_TRUE(summary().contains(QStringLiteral("3 marked")));
-  keep(QStringLiteral("plot-brushed"));
+  EXPECT_TRUE(summary().contains("3 marked"));
+  keep("plot-brushed");
   dragAbout(8, 9, Qt::ShiftModifier);
   EXPECT_EQ(selection_.brushed(), cells({3, 4, 5, 9, 10}));
   dragAbout(0, 0);
@@ -140,7 +135,7 @@ TEST_F(PlotViewTest, AHistogramIsBrushedBarByBar) {
   EXPECT_EQ(selection_.brushed().size(), bins[0].count);
   QTest::keyClick(canvas_, Qt::Key_Right, Qt::ShiftModifier);
   EXPECT_EQ(selection_.brushed().size(), bins[0].count + bins[1].count);
-  keep(QStringLiteral("plot-histogram"));
+  keep("plot-histogram");
   test::dragMouse(canvas_, QPoint(1, 10), QPoint(canvas_->width() - 2, 30));
   EXPECT_EQ(selection_.brushed().size(), 12U);
   const auto middle =
@@ -165,18 +160,18 @@ TEST_F(PlotViewTest, LinksArePickedAsLinksAndBrushBothTheirCells) {
 
 TEST_F(PlotViewTest, TheBoxesChooseTheAxes) {
   QComboBox* up = box("plotUp");
-  EXPECT_EQ(up->currentText(), QStringLiteral("position uncertainty (95 %), mm"));
+  EXPECT_EQ(up->currentText(), "position uncertainty (95 %), mm");
   up->setCurrentIndex(0);
   EXPECT_TRUE(view_.choice().is_histogram);
   EXPECT_FALSE(view_.data().bins.empty());
-  box("plotAcross")->setCurrentIndex(box("plotAcross")->findText(QStringLiteral("orientation uncertainty (95 %), °")));
+  box("plotAcross")->setCurrentIndex(box("plotAcross")->findText("orientation uncertainty (95 %), °"));
   EXPECT_EQ(view_.choice().x, PlotFigure(Coloring::OrientationUncertainty));
   EXPECT_TRUE(view_.choice().is_histogram);
 }
 
 TEST_F(PlotViewTest, AFigureThatNoCellHasSaysWhy) {
   const QComboBox* across = box("plotAcross");
-  const int row = across->findText(QStringLiteral("temperature, °C"));
+  const int row = across->findText("temperature, °C");
   ASSERT_GE(row, 0);
   EXPECT_FALSE(qobject_cast<QStandardItemModel*>(across->model())->item(row)->isEnabled());
   EXPECT_FALSE(across->itemData(row, Qt::ToolTipRole).toString().isEmpty());
@@ -184,9 +179,7 @@ TEST_F(PlotViewTest, AFigureThatNoCellHasSaysWhy) {
   readings->temperature_c[CellId(3)] = 30;
   view_.setReadings(readings);
   EXPECT_TRUE(test::waitUntil([&] {
-    return qobject_cast<QStandardItemModel*>(across->model())
-        ->item(across->findText(QStringLiteral("temperature, °C")))
-        ->isEnabled();
+    return qobject_cast<QStandardItemModel*>(across->model())->item(across->findText("temperature, °C"))->isEnabled();
   }));
 }
 
@@ -198,7 +191,7 @@ TEST_F(PlotViewTest, WhatIsHiddenIsGatheredWhenItIsShown) {
   EXPECT_EQ(view_.data().points.size(), 4U);
   view_.setReconstruction(nullptr);
   EXPECT_TRUE(view_.data().points.empty());
-  keep(QStringLiteral("plot-empty"));
+  keep("plot-empty");
 }
 
 TEST_F(PlotViewTest, ThousandsOfPointsAreDrawnAndThemesDiffer) {
@@ -206,9 +199,9 @@ TEST_F(PlotViewTest, ThousandsOfPointsAreDrawnAndThemesDiffer) {
   std::vector<CellId> some;
   for (std::uint32_t k = 1000; k < 1400; ++k) some.emplace_back(k);
   selection_.brush(some);
-  const QImage light = keep(QStringLiteral("plot-many-light"));
+  const QImage light = keep("plot-many-light");
   theme_.set(Theme::Dark);
-  const QImage dark = keep(QStringLiteral("plot-many-dark"));
+  const QImage dark = keep("plot-many-dark");
   EXPECT_LT(qGray(dark.pixel(dark.width() - 40, 60)), qGray(light.pixel(light.width() - 40, 60)));
 }
 

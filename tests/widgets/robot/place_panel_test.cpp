@@ -4,17 +4,6 @@
 #include "tests/support/panel_on_screen.h"
 #include "widgets/tables/joint_table_view.h"
 
-#include <gmock/gmock.h>
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QListWidget>
-#include <QPushButton>
-#include <QSpinBox>
-#include <QTest>
-
 namespace hexoderm {
 namespace {
 
@@ -23,23 +12,21 @@ using testing::HasSubstr;
 PlaceStand standOfTwoPatches() {
   PlaceStand stand;
   stand.has_robot = stand.names_robot = true;
-  stand.robot = {Tone::Good, QStringLiteral("demo_arm, 8 links")};
-  stand.joints = {Tone::Good, QStringLiteral("4 of 4 poses have joint angles.")};
-  stand.poses = {{1, QStringLiteral("Pose 1")}, {2, QStringLiteral("Pose 2")}};
+  stand.robot = {Tone::Good, "demo_arm, 8 links"};
+  stand.joints = {Tone::Good, "4 of 4 poses have joint angles."};
+  stand.poses = {{1, "Pose 1"}, {2, "Pose 2"}};
   stand.pose = 1;
-  stand.patches = {{1, QStringLiteral("Patch of cell 1, 17 cells")},
-                   {18, QStringLiteral("Patch of cell 18, 17 cells")}};
+  stand.patches = {{1, "Patch of cell 1, 17 cells"}, {18, "Patch of cell 18, 17 cells"}};
   stand.patch = 1;
-  stand.links = {{QStringLiteral("forearm"), QStringLiteral("forearm · fits")},
-                 {QStringLiteral("hand"), QStringLiteral("hand · can't be told from forearm")}};
-  stand.other_links = QStringList{QStringLiteral("base"), QStringLiteral("forearm"), QStringLiteral("hand")};
-  stand.link = QStringLiteral("forearm");
-  stand.link_says = {Tone::Caution, QStringLiteral("Move the wrist.")};
+  stand.links = {{"forearm", "forearm · fits"}, {"hand", "hand · can't be told from forearm"}};
+  stand.other_links = QStringList{"base", "forearm", "hand"};
+  stand.link = "forearm";
+  stand.link_says = {Tone::Caution, "Move the wrist."};
   stand.has_surface = true;
   stand.known.origin = CellId(1);
   stand.known.points = {{CellId(3), {0.01, 0, -0.02}, 0.001}};
-  stand.places = QStringList{QStringLiteral("1 · misfit 0.40 mm"), QStringLiteral("2 · misfit 0.90 mm")};
-  stand.place_says = {Tone::Caution, QStringLiteral("2 places fit.")};
+  stand.places = QStringList{"1 · misfit 0.40 mm", "2 · misfit 0.90 mm"};
+  stand.place_says = {Tone::Caution, "2 places fit."};
   return stand;
 }
 
@@ -53,7 +40,7 @@ TEST_F(PlacePanelTest, WithoutARobotItAsksForOneAndSaysWhyNotWhereNothingCanBePl
   EXPECT_FALSE(find<QListWidget>("placeLinks")->isVisible());
   EXPECT_FALSE(find<QPushButton>("placeAddPoint")->isVisible());
   PlaceStand stand;
-  stand.why_not = QStringLiteral("There is no skin yet.");
+  stand.why_not = "There is no skin yet.";
   panel_->setStand(stand);
   EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());
   EXPECT_EQ(find<QLabel>("placeRobotSentence")->text(), stand.why_not);
@@ -61,16 +48,16 @@ TEST_F(PlacePanelTest, WithoutARobotItAsksForOneAndSaysWhyNotWhereNothingCanBePl
 
 TEST_F(PlacePanelTest, ListsAndFieldsAskForWhatTheyShow) {
   panel_->setStand(standOfTwoPatches());
-  keep(QStringLiteral("place-panel-light"));
+  keep("place-panel-light");
   QStringList links;
   QObject::connect(panel_, &PlacePanel::linkChosen, [&](const QString& link) { links << link; });
   auto* list = find<QListWidget>("placeLinks");
-  EXPECT_TRUE(list->item(0)->text().startsWith(QStringLiteral("✓ ")));
+  EXPECT_TRUE(list->item(0)->text().startsWith("✓ "));
   list->setFocus();
   list->setCurrentRow(1);
   QTest::keyClick(list, Qt::Key_Return);
   ASSERT_FALSE(links.isEmpty());
-  EXPECT_EQ(links.back(), QStringLiteral("hand"));
+  EXPECT_EQ(links.back(), "hand");
 
   std::optional<KnownPoint> added;
   QObject::connect(panel_, &PlacePanel::pointAdded, [&](const KnownPoint& point) { added = point; });
@@ -131,10 +118,10 @@ TEST_F(PlacePanelTest, AnglesThatAreTypedAreAskedForAndRefusedOnesSaid) {
   QString refused;
   QObject::connect(panel_, &PlacePanel::anglesTyped, [&](const std::vector<TypedAngle>& angles) { typed = angles; });
   QObject::connect(panel_, &PlacePanel::anglesRefused, [&](const QString& why) { refused = why; });
-  table->model()->setData(table->model()->index(1, 0), QStringLiteral("90"));
+  table->model()->setData(table->model()->index(1, 0), "90");
   ASSERT_EQ(typed.size(), 1U);
   EXPECT_EQ(typed[0].row, 1U);
-  table->model()->setData(table->model()->index(1, 0), QStringLiteral("?"));
+  table->model()->setData(table->model()->index(1, 0), "?");
   EXPECT_THAT(refused.toStdString(), HasSubstr("is no number"));
 }
 
@@ -174,7 +161,7 @@ TEST_F(PlacePanelTest, SaysWhereNothingTellsThePlace) {
   EXPECT_FALSE(find<QCheckBox>("placeBySurface")->isEnabled());
   EXPECT_THAT(find<QLabel>("placeKnownSentence")->text().toStdString(), HasSubstr("Nothing says where"));
   theme_.set(Theme::Dark);
-  keep(QStringLiteral("place-panel-dark"));
+  keep("place-panel-dark");
 }
 
 TEST(PlaceWords, LinksThatCannotBeToldApartStandTogether) {
@@ -186,9 +173,9 @@ TEST(PlaceWords, LinksThatCannotBeToldApartStandTogether) {
   patch.candidates = {candidate};
   const std::vector<LinkChoice> choices = linkChoices(patch);
   ASSERT_EQ(choices.size(), 2U);
-  EXPECT_EQ(choices[0].link, QStringLiteral("forearm"));
+  EXPECT_EQ(choices[0].link, "forearm");
   EXPECT_THAT(choices[0].text.toStdString(), HasSubstr("misfit 11.2, usual is 13"));
-  EXPECT_EQ(choices[1].link, QStringLiteral("hand"));
+  EXPECT_EQ(choices[1].link, "hand");
   EXPECT_THAT(choices[1].text.toStdString(), HasSubstr("can't be told from forearm"));
   patch.nearest = candidate;
   EXPECT_THAT(linkChoices(patch)[2].text.toStdString(), HasSubstr("does not fit"));
@@ -196,11 +183,10 @@ TEST(PlaceWords, LinksThatCannotBeToldApartStandTogether) {
 }
 
 TEST(PlaceWords, SeveralSentencesHaveSignsAndTheGravestTone) {
-  EXPECT_EQ(together({{Tone::Good, QStringLiteral("One.")}}).text, QStringLiteral("One."));
-  const VerifySentence two =
-      together({{Tone::Good, QStringLiteral("One.")}, {Tone::Bad, QStringLiteral("Two.")}, {Tone::Caution, {}}});
+  EXPECT_EQ(together({{Tone::Good, "One."}}).text, "One.");
+  const VerifySentence two = together({{Tone::Good, "One."}, {Tone::Bad, "Two."}, {Tone::Caution, {}}});
   EXPECT_EQ(two.tone, Tone::Bad);
-  EXPECT_EQ(two.text, QStringLiteral("✓ One.\n✕ Two."));
+  EXPECT_EQ(two.text, "✓ One.\n✕ Two.");
 }
 
 TEST(PlaceWords, APlaceNamesItsMisfitAndWhatIsOpen) {
@@ -217,7 +203,7 @@ TEST(PlaceWords, APlaceNamesItsMisfitAndWhatIsOpen) {
   EXPECT_THAT(placeInList(candidate, 1, false).toStdString(), HasSubstr("put by hand"));
   candidate.fits = false;
   EXPECT_THAT(placeInList(candidate, 2, true).toStdString(), HasSubstr("does not fit"));
-  EXPECT_TRUE(placeInList(candidate, 2, true).startsWith(QStringLiteral("✓ 2")));
+  EXPECT_TRUE(placeInList(candidate, 2, true).startsWith("✓ 2"));
 }
 
 }  // namespace

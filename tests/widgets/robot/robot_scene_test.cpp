@@ -1,6 +1,5 @@
 #include "widgets/robot/robot_scene.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 
 namespace hexoderm {

@@ -1,12 +1,8 @@
 #include "widgets/robot/robot_view.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 #include "widgets/patch/scene_widget.h"
-
-#include <gmock/gmock.h>
-#include <QTest>
 
 namespace hexoderm {
 namespace {
@@ -30,21 +26,20 @@ class RobotViewTest : public testing::Test {
     view.setPicture(picture);
     ASSERT_TRUE(view.canDraw()) << "no OpenGL";
     QCoreApplication::processEvents();  // until then the canvas has no size
-    canvas = view.findChild<SceneWidget*>();
-    ASSERT_NE(canvas, nullptr);
+    canvas = test::part<SceneWidget>(view);
     view.lookAtSkin(0);
     view.drawNow();
-    QObject::connect(&view, &RobotView::gripped, [this](const Eigen::Vector3d& x_l) {
-      said << QStringLiteral("gripped");
-      gripped_at = x_l;
-    });
-    QObject::connect(&view, &RobotView::pulledTo, [this](const Eigen::Vector3d& x_l) {
-      said << QStringLiteral("pulled");
-      pulled_to = x_l;
-    });
-    QObject::connect(&view, &RobotView::released, [this] { said << QStringLiteral("released"); });
-    QObject::connect(&view, &RobotView::laid, [this] { said << QStringLiteral("laid"); });
-    QObject::connect(&view, &RobotView::leftAlone, [this] { said << QStringLiteral("left"); });
+    const auto note = [this](const char* what, Eigen::Vector3d& where) {
+      return [this, what, &where](const Eigen::Vector3d& x_l) {
+        said << what;
+        where = x_l;
+      };
+    };
+    QObject::connect(&view, &RobotView::gripped, note("gripped", gripped_at));
+    QObject::connect(&view, &RobotView::pulledTo, note("pulled", pulled_to));
+    QObject::connect(&view, &RobotView::released, [this] { said << "released"; });
+    QObject::connect(&view, &RobotView::laid, [this] { said << "laid"; });
+    QObject::connect(&view, &RobotView::leftAlone, [this] { said << "left"; });
     QObject::connect(&view, &RobotView::slid, [this](const Eigen::Vector3d& way_l) { way = way_l; });
     QObject::connect(&view, &RobotView::turned, [this](double angle_rad) { turn = angle_rad; });
   }
@@ -55,9 +50,8 @@ class RobotViewTest : public testing::Test {
   QPoint onPatch() {
     const QPoint middle = canvas->rect().center();
     for (const QPoint& aside : {QPoint(0, 0), QPoint(25, 0), QPoint(-25, 0), QPoint(0, 25), QPoint(0, -25)}) {
-      press(middle + aside);
-      release(middle + aside);
-      const bool hit = said.contains(QStringLiteral("gripped"));
+      QTest::mouseClick(canvas, Qt::LeftButton, {}, middle + aside);
+      const bool hit = said.contains("gripped");
       said.clear();
       if (hit) return middle + aside;
     }
@@ -95,16 +89,13 @@ TEST_F(RobotViewTest, TheMouseGripsThePatchPullsItAndLetsItGo) {
 
 TEST_F(RobotViewTest, OtherPatchesAndOtherTimesAreNotGripped) {
   const QPoint at = onPatch();
-  press(QPoint(2, 2));
-  release(QPoint(2, 2));
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(2, 2));
   view.setPicking(true);
-  press(at);
-  release(at);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
   view.setPicking(false);
   picture.movable.reset();
   view.setPicture(picture);
-  press(at);
-  release(at);
+  QTest::mouseClick(canvas, Qt::LeftButton, {}, at);
   EXPECT_TRUE(said.isEmpty());
 }
 

@@ -1,13 +1,9 @@
 // Which cells have their IDs written on them, without drawing any.
 #include "widgets/scene/label_choice.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 

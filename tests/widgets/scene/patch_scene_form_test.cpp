@@ -1,7 +1,6 @@
 // What helps to see the form: IDs on the cells, backs, directions to look from, the cut, and fitting all that is drawn.
 #include "tests/widgets/scene/patch_scene_test.h"
 
-#include "hexoderm/base/units.h"
 #include "widgets/scene/label_choice.h"
 #include "widgets/scene/scene_corners.h"
 
@@ -17,6 +16,10 @@ using View = PatchScene::View;
 
 class PatchSceneFormTest : public PatchSceneTest {
  protected:
+  void look(View from) {
+    scene.showStandardView(from);
+    window->Render();
+  }
   [[nodiscard]] Eigen::Vector3d towardsViewer() const {
     return -Eigen::Vector3d(scene.renderer()->GetActiveCamera()->GetDirectionOfProjection());
   }
@@ -49,8 +52,7 @@ class PatchSceneFormTest : public PatchSceneTest {
 TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
   scene.setTextVisible(true);
   scene.setReconstruction(shared(cylinderSheet(125, 80)));
-  scene.showStandardView(View::Front);
-  window->Render();
+  look(View::Front);
   EXPECT_TRUE(scene.labelledCells().empty()) << "a cell is a few pixels large";
   scene.renderer()->GetActiveCamera()->Zoom(12);
   const auto with = picture();
@@ -63,7 +65,7 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
 }
 
 TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
-  constexpr PixelArea kMiddle{kWidth / 4, kHeight / 4, 3 * kWidth / 4, 3 * kHeight / 4};
+  constexpr QRect kMiddle(kWidth / 4, kHeight / 4, kWidth / 2, kHeight / 2);
   // From right in front and right behind, where the light is the same.
   scene.setReconstruction(shared(sheetReconstruction(5, 4)));
   scene.setShown(SceneItem::Ports, false);
@@ -82,12 +84,10 @@ TEST_F(PatchSceneFormTest, IsLookedAtFromBehindAndFromBetweenTheAxes) {
       {View::Top, Eigen::Vector3d::UnitY()},       {View::Bottom, -Eigen::Vector3d::UnitY()},
       {View::Isometric, Eigen::Vector3d(1, 1, 1)},
   };
-  scene.showStandardView(View::Oblique);
-  window->Render();
+  look(View::Oblique);
   EXPECT_EQ(pointsBesideTheWindow(), 0U);
   for (const auto& [view, from] : expected) {
-    scene.showStandardView(view);
-    window->Render();
+    look(view);
     EXPECT_NEAR(towardsViewer().dot(from.normalized()), 1, 1e-9) << static_cast<int>(view);
     EXPECT_EQ(pointsBesideTheWindow(), 0U) << static_cast<int>(view);
   }
@@ -95,8 +95,7 @@ TEST_F(PatchSceneFormTest, IsLookedAtFromBehindAndFromBetweenTheAxes) {
 
 TEST_F(PatchSceneFormTest, AKnobOfTheAxesStandsForItsViewAndForTheOppositeOneWhenThatIsShown) {
   scene.setReconstruction(shared(demoReconstruction()));
-  scene.showStandardView(View::Isometric);
-  window->Render();
+  look(View::Isometric);
   for (const View view : {View::Front, View::Back, View::Side, View::OtherSide, View::Top, View::Bottom}) {
     EXPECT_TRUE(knobOf(view).has_value()) << static_cast<int>(view);
   }
@@ -110,8 +109,7 @@ TEST_F(PatchSceneFormTest, AKnobOfTheAxesStandsForItsViewAndForTheOppositeOneWhe
   EXPECT_TRUE(scene.hoverAxes(-1, -1));
   EXPECT_EQ(differingShare(calm, picture()), 0);
 
-  scene.showStandardView(View::Front);
-  window->Render();
+  look(View::Front);
   EXPECT_TRUE(knobOf(View::Back).has_value()) << "from in front, the knob towards the viewer leads behind";
   EXPECT_FALSE(knobOf(View::Front).has_value());
   scene.setShown(SceneItem::Axes, false);
@@ -143,13 +141,11 @@ TEST_F(PatchSceneFormTest, ACutTakesAwayWhatIsInFrontAndIsPickedThrough) {
 
 TEST_F(PatchSceneFormTest, ACutStaysWhereItIsUntilItIsTurnedToTheViewer) {
   scene.setReconstruction(shared(cylinderSheet(60, 40)));
-  scene.showStandardView(View::Front);
-  window->Render();
+  look(View::Front);
   scene.setCut(0.5);
   ASSERT_TRUE(scene.cut());
   EXPECT_NEAR(scene.cut()->normal.z(), 1, 1e-9);
-  scene.showStandardView(View::Side);
-  window->Render();
+  look(View::Side);
   scene.setCut(0.6);
   EXPECT_NEAR(scene.cut()->normal.z(), 1, 1e-9) << "it is looked at from the side";
   scene.alignCut();
@@ -165,8 +161,7 @@ TEST_F(PatchSceneFormTest, ACutStaysWhereItIsUntilItIsTurnedToTheViewer) {
 TEST_F(PatchSceneFormTest, FitTakesInAllThatIsDrawnAndGoesBackWhenItIsGone) {
   const Reconstruction demo = demoReconstruction();
   scene.setReconstruction(shared(demo));
-  scene.showStandardView(View::Front);
-  window->Render();
+  look(View::Front);
   const auto before = cameraPosition();
   EXPECT_EQ(pointsBesideTheWindow(), 0U);
   // Differences as long as the patch, drawn enlarged.
@@ -195,8 +190,7 @@ TEST_F(PatchSceneFormTest, FitTakesInAllThatIsDrawnAndGoesBackWhenItIsGone) {
 TEST_F(PatchSceneFormTest, ACellIsBroughtIntoTheMiddleWithoutTurning) {
   const Reconstruction demo = demoReconstruction();
   scene.setReconstruction(shared(demo));
-  scene.showStandardView(View::Front);
-  window->Render();
+  look(View::Front);
   const Eigen::Vector3d back = towardsViewer();
   const double distance = scene.renderer()->GetActiveCamera()->GetDistance();
   scene.centerOn(CellId(15));

@@ -1,11 +1,8 @@
 // Objects of the scene, and their removal.
+
 #include "tests/widgets/scene/patch_scene_test.h"
-
-#include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/overlays.h"
-#include "tests/support/hand_made_skins.h"
-
-#include <optional>
+#include "widgets/scene/brush_marks.h"
 
 namespace hexoderm {
 namespace {
@@ -100,7 +97,7 @@ TEST_F(PatchSceneTest, EmptySkinShowsTheBackgroundOnly) {
   const auto empty = picture();
   scene.setReconstruction(shared(demoPatches({})));
   EXPECT_EQ(differingShare(empty, picture()), 0);
-  EXPECT_NEAR(colorAt(empty, 0, kHeight / 2)[1], colorAt(empty, kWidth / 2, kHeight / 2)[1], 2);
+  EXPECT_NEAR(qGreen(empty.pixel(0, kHeight / 2)), qGreen(empty.pixel(kWidth / 2, kHeight / 2)), 2);
   EXPECT_FALSE(scene.showsGravity());
   EXPECT_EQ(scene.pick(0.5 * kWidth, 0.5 * kHeight), std::nullopt);
 }
@@ -119,6 +116,26 @@ TEST_F(PatchSceneTest, GravityArrowFollowsThePose) {
   moment.pose = PoseId(77);
   scene.setMoment(moment);
   EXPECT_FALSE(scene.showsGravity());
+}
+
+TEST_F(PatchSceneTest, BrushedCellsCarryARingUntilTheyAreBrushedNoMore) {
+  const Reconstruction demo = demoReconstruction(mixedQualities());
+  scene.setReconstruction(shared(demo));
+  const auto plain = picture();
+  scene.setBrushed({CellId(1), CellId(2), CellId(3)});
+  const auto three = picture();
+  EXPECT_GT(differingShare(plain, three), kMaxDifferingShare);
+  scene.setReconstruction(nullptr);
+  scene.setReconstruction(shared(demo));
+  EXPECT_LT(differingShare(three, picture()), differingShare(plain, three)) << "the next result is marked, too";
+  scene.setBrushed({CellId(2)});
+  const double one = differingShare(plain, picture());
+  EXPECT_GT(one, 0);
+  EXPECT_LT(one, differingShare(plain, three));
+  scene.setBrushed({CellId(99)});
+  EXPECT_EQ(differingShare(plain, picture()), 0) << "a cell that is not there";
+  scene.setBrushed({});
+  EXPECT_EQ(differingShare(plain, picture()), 0);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "tests/support/hand_made_skins.h"
+#include "tests/support/picture_difference.h"
 #include "widgets/scene/edge_smoothing.h"
 #include "widgets/scene/patch_scene.h"
 
 #include <gmock/gmock.h>
-#include <gtest/gtest.h>
 #include <vtkCamera.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -13,10 +13,7 @@
 #include <vtkRenderer.h>
 #include <vtkRendererCollection.h>
 #include <vtkWindowToImageFilter.h>
-#include <algorithm>
-#include <array>
 #include <cstdlib>
-#include <optional>
 
 namespace hexoderm {
 
@@ -25,6 +22,8 @@ inline constexpr int kHeight = 300;
 // A pixel differs if a channel is off by more than this; edges move by a pixel between drivers, faces don't.
 inline constexpr int kChannelSlack = 32;
 inline constexpr double kMaxDifferingShare = 0.002;
+
+inline double differingShare(const QImage& a, const QImage& b) { return differingShare(a, b, kChannelSlack); }
 
 /// Colours of the tests' own, so that a new palette does not change the baselines.
 inline SceneColors testColors(bool dark) {
@@ -93,14 +92,18 @@ class OffScreenTest : public testing::Test {
 
   [[nodiscard]] vtkRenderer* renderer() const { return window->GetRenderers()->GetFirstRenderer(); }
 
-  vtkSmartPointer<vtkImageData> picture() {
+  /// Its rows go up, as VTK counts them.
+  QImage picture() {
     window->Render();
     vtkNew<vtkWindowToImageFilter> filter;
     filter->SetInput(window);
     filter->SetInputBufferTypeToRGB();
     filter->ReadFrontBufferOff();
     filter->Update();
-    return filter->GetOutput();
+    vtkImageData* drawn = filter->GetOutput();
+    const auto* pixels = static_cast<const unsigned char*>(drawn->GetScalarPointer());
+    const int* size = drawn->GetDimensions();
+    return QImage(pixels, size[0], size[1], 3 * size[0], QImage::Format_RGB888).copy();
   }
 
   std::array<double, 3> cameraPosition() const {
@@ -146,37 +149,5 @@ class PatchSceneTest : public OffScreenTest {
   PatchOverlays overlays;
   PatchMoment moment;
 };
-
-/// Red, green and blue, each up to 255.
-inline std::array<int, 3> colorAt(vtkImageData* image, int x, int y) {
-  const auto* p = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
-  return {p[0], p[1], p[2]};
-}
-
-/// Pixels from the lower left corner up to, without, the upper right one.
-struct PixelArea {
-  int left = 0;
-  int bottom = 0;
-  int right = 0;
-  int top = 0;
-};
-
-/// Share of the area's pixels, or of all, that differ by more than so much in any channel; 1 if the sizes do.
-inline double differingShare(vtkImageData* a, vtkImageData* b, int slack = kChannelSlack,
-                             std::optional<PixelArea> area = std::nullopt) {
-  const int* size = a->GetDimensions();
-  const int* other = b->GetDimensions();
-  if (size[0] != other[0] || size[1] != other[1]) return 1;
-  const PixelArea in = area.value_or(PixelArea{0, 0, size[0], size[1]});
-  int differing = 0;
-  for (int y = in.bottom; y < in.top; ++y) {
-    for (int x = in.left; x < in.right; ++x) {
-      const auto p = colorAt(a, x, y);
-      const auto q = colorAt(b, x, y);
-      differing += !std::ranges::equal(p, q, [slack](int c, int d) { return std::abs(c - d) <= slack; });
-    }
-  }
-  return differing / (static_cast<double>(in.right - in.left) * (in.top - in.bottom));
-}
 
 }  // namespace hexoderm

@@ -7,9 +7,6 @@
 #include <vtkActorCollection.h>
 #include <vtkDataSet.h>
 #include <vtkMapper.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -22,19 +19,17 @@ TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
   setSmoothed(*window, false);
   scene.showStandardView(PatchScene::View::Front);
   const CellId middle(30 + 60 * 25);
-  const auto colourOf = [&](vtkImageData* image) {
+  const auto colourOf = [&](const QImage& image) {
     const auto [x, y] = pixelOf(sheet, middle);
-    return colorAt(image, static_cast<int>(x), static_cast<int>(y));
+    return image.pixelColor(static_cast<int>(x), static_cast<int>(y));
   };
   const auto front = colourOf(picture());
   scene.renderer()->GetActiveCamera()->Azimuth(180);
   const auto behind = colourOf(picture());
-  // Darker and greyed.
-  const auto spread = [](const std::array<int, 3>& rgb) {
-    return *std::ranges::max_element(rgb) - *std::ranges::min_element(rgb);
-  };
+  // Darker and greyed: value is the largest channel, saturation the spread of all in proportion to it.
+  const auto spread = [](const QColor& color) { return color.value() * color.saturationF(); };
   EXPECT_LT(spread(behind), 0.6 * spread(front));
-  EXPECT_LT(*std::ranges::max_element(behind), 0.8 * *std::ranges::max_element(front));
+  EXPECT_LT(behind.value(), 0.8 * front.value());
   const auto [x, y] = pixelOf(sheet, middle);
   EXPECT_EQ(scene.pick(x, y), middle);
 }
@@ -52,10 +47,10 @@ TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
     }
     return most;
   };
-  const auto middleOf = [](vtkImageData* image) {
+  const auto middleOf = [](const QImage& image) {
     double sum = 0;
     for (int y = kHeight / 2 - 30; y < kHeight / 2 + 30; ++y) {
-      for (int x = kWidth / 2 - 30; x < kWidth / 2 + 30; ++x) sum += colorAt(image, x, y)[1];
+      for (int x = kWidth / 2 - 30; x < kWidth / 2 + 30; ++x) sum += qGreen(image.pixel(x, y));
     }
     return sum / 3600;
   };

@@ -2,11 +2,8 @@
 #include "widgets/scene/scene_content.h"
 
 #include "hexoderm/solve/metrics/patch_mesh.h"
-#include "tests/support/hand_made_skins.h"
 #include "tests/widgets/scene/patch_scene_test.h"
 #include "widgets/scene/overlay_meshes.h"
-
-#include <gmock/gmock.h>
 
 namespace hexoderm {
 namespace {
@@ -114,9 +111,7 @@ TEST_F(PatchSceneTest, NoLineIsDrawnBetweenCellsOfTwoPatches) {
   const auto between = [&](CellId a, CellId b) {
     const SceneLayout& layout = scene.content()->layout;
     const auto pixel = pixelOf(0.5 * (layout.find(a)->T_s_u.t + layout.find(b)->T_s_u.t));
-    const int x = static_cast<int>(pixel[0]);
-    const int y = static_cast<int>(pixel[1]);
-    return PixelArea{x - 3, y - 3, x + 4, y + 4};
+    return QRect(static_cast<int>(pixel[0]) - 3, static_cast<int>(pixel[1]) - 3, 7, 7);
   };
   const auto plain = picture();
   scene.setMeasured(CellId(117), CellId(114));

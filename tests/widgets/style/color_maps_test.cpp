@@ -5,9 +5,6 @@
 #include "tests/support/color_vision.h"
 
 #include <gtest/gtest.h>
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace hexoderm {
 namespace {

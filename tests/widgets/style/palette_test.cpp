@@ -1,18 +1,14 @@
-#include "widgets/style/palette.h"
+// The colours of both themes, and what is dressed in them.
 
+#include "widgets/style/palette.h"
 #include "hexoderm/solve/result/quality_colors.h"
 #include "tests/support/color_vision.h"
 #include "widgets/style/color_maps.h"
+#include "widgets/style/dressed_theme.h"
 
 #include <gmock/gmock.h>
-#include <QApplication>
-#include <QImage>
-#include <QLineF>
-#include <QPainter>
-#include <QRegularExpression>
-#include <QWidget>
-
-#include <cmath>
+#include <gtest/gtest.h>
+#include <QtWidgets>
 #include <set>
 #include <utility>
 #include <vector>
@@ -177,6 +173,20 @@ TEST(Viridis, RunsFromDarkVioletToYellowAndGetsBrighterAllTheWay) {
   EXPECT_NEAR(middle.blue(), 140.4, 1.6);
   for (int k = 1; k <= 100; ++k) {
     EXPECT_GT(contrast(viridis(k / 100.0), Qt::black), contrast(viridis((k - 1) / 100.0), Qt::black)) << k;
+  }
+}
+
+TEST(DressedTheme, IsChangedOnceByAPaletteOfAnotherTheme) {
+  QWidget widget;
+  widget.setPalette(qtPalette(Theme::Light));
+  DressedTheme dressed(widget);
+  const QEvent palette_changed(QEvent::PaletteChange);
+  EXPECT_FALSE(dressed.isChangedBy(palette_changed)) << "dressed in it from the beginning";
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    widget.setPalette(qtPalette(theme));
+    EXPECT_FALSE(dressed.isChangedBy(QEvent(QEvent::FontChange)));
+    EXPECT_TRUE(dressed.isChangedBy(palette_changed));
+    EXPECT_FALSE(dressed.isChangedBy(palette_changed));
   }
 }
 

@@ -1,22 +1,26 @@
 #include "widgets/tables/cell_table.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/hand_made_skins.h"
+#include "tests/widgets/tables/table_texts.h"
 #include "widgets/tables/table_roles.h"
 
 #include <gmock/gmock.h>
 #include <QAbstractItemModelTester>
+#include <map>
 
 namespace hexoderm {
 namespace {
 
-std::string text(const CellTableModel& table, int row, const char* header) {
-  for (int column = 0; column < table.columnCount(); ++column) {
-    if (table.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() == header) {
-      return table.index(row, column).data().toString().toStdString();
-    }
-  }
-  return "no such column";
+using testing::IsSupersetOf;
+using testing::Pair;
+
+/// What the row of a cell says, by its columns' heads.
+std::map<std::string, std::string> textsOf(const CellTableModel& table, CellId cell) {
+  const std::vector<std::string> heads = test::headers(table);
+  const std::vector<std::string> said = test::rowTexts(table, table.rowOf(cell));
+  std::map<std::string, std::string> texts;
+  for (std::size_t k = 0; k < heads.size(); ++k) texts[heads[k]] = said[k];
+  return texts;
 }
 
 std::shared_ptr<Reconstruction> oneKnownCell() {
@@ -43,28 +47,20 @@ TEST(CellTableModel, KeepsTheContractOfItemModelsAndIsEmptyWithoutAReconstructio
 TEST(CellTableModel, ShowsWhereACellIsAndHowWellThatIsKnown) {
   CellTableModel table;
   table.setReconstruction(oneKnownCell());
-  const int row = table.rowOf(CellId(2));
-  EXPECT_EQ(table.cellAt(row), CellId(2));
-  EXPECT_EQ(text(table, row, "Patch"), "1");
-  EXPECT_EQ(text(table, row, "X mm"), "24.00");
-  EXPECT_EQ(text(table, row, "Y mm"), "−1.23");
-  EXPECT_EQ(text(table, row, "Z mm"), "0.00");
-  EXPECT_EQ(text(table, row, "Yaw °"), "30.0");
-  EXPECT_EQ(text(table, row, "± mm"), "3.92") << "1.96 times the worst axis' 2 mm";
-  EXPECT_EQ(text(table, row, "± °"), "1.12");
-  EXPECT_EQ(text(table, row, "Worst residual °"), "0.30");
-  EXPECT_EQ(text(table, row, "Offset mg"), "50.0");
-  EXPECT_EQ(text(table, row, "Scale %"), "−3.00");
-  EXPECT_EQ(text(table, row, "Placed by"), "readings");
+  EXPECT_EQ(table.cellAt(table.rowOf(CellId(2))), CellId(2));
+  EXPECT_EQ(textsOf(table, CellId(2)).at("± mm"), "3.92") << "1.96 times the worst axis' 2 mm";
+  EXPECT_THAT(textsOf(table, CellId(2)),
+              IsSupersetOf({Pair("Patch", "1"), Pair("X mm", "24.00"), Pair("Y mm", "−1.23"), Pair("Z mm", "0.00"),
+                            Pair("Yaw °", "30.0"), Pair("± °", "1.12"), Pair("Worst residual °", "0.30"),
+                            Pair("Offset mg", "50.0"), Pair("Scale %", "−3.00"), Pair("Placed by", "readings")}));
 }
 
 TEST(CellTableModel, SaysWhatIsNotKnownAndWhoIsPlacedByLinks) {
   CellTableModel table;
   table.setReconstruction(oneKnownCell());
-  EXPECT_EQ(text(table, table.rowOf(CellId(1)), "Placed by"), "origin");
-  EXPECT_EQ(text(table, table.rowOf(CellId(22)), "Placed by"), "links");
-  EXPECT_EQ(text(table, table.rowOf(CellId(22)), "± mm"), "–");
-  EXPECT_EQ(text(table, table.rowOf(CellId(22)), "Offset mg"), "–");
+  EXPECT_EQ(textsOf(table, CellId(1)).at("Placed by"), "origin");
+  EXPECT_THAT(textsOf(table, CellId(22)),
+              IsSupersetOf({Pair("Placed by", "links"), Pair("± mm", "–"), Pair("Offset mg", "–")}));
   EXPECT_EQ(table.rowOf(CellId(99)), -1);
 }
 

@@ -9,9 +9,8 @@
 #include "widgets/tables/pose_table.h"
 
 #include <gmock/gmock.h>
-#include <QAbstractItemModelTester>
-#include <QIcon>
-#include <QSignalSpy>
+#include <QtTest>
+#include <QtWidgets>
 
 namespace hexoderm {
 namespace {

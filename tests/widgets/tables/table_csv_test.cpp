@@ -9,13 +9,6 @@
 #include "widgets/tables/sorted_table.h"
 
 #include <gmock/gmock.h>
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
-#include <QLocale>
-#include <QSignalSpy>
-#include <QTableView>
-#include <QTest>
 
 namespace hexoderm {
 namespace {
@@ -24,10 +17,10 @@ class MetricsTableTest : public testing::Test {
  protected:
   MetricsTableTest() {
     table_.setContent({{"Name", {}, {}, 0, true}, {"Length mm", "mm", {}, 2, false}, {"Angle °", "deg", {}, 1, false}},
-                      {{{QStringLiteral("a, b"), 1.0 / 3, QVariant()}},
-                       {{QStringLiteral("say \"x\"\nand go"), -2.5, 1e-7}},
-                       {{QStringLiteral("cell 10"), 10.0, 2.0}},
-                       {{QStringLiteral("cell 9"), 9.0, 3.0}}});
+                      {{{"a, b", 1.0 / 3, QVariant()}},
+                       {{"say \"x\"\nand go", -2.5, 1e-7}},
+                       {{"cell 10", 10.0, 2.0}},
+                       {{"cell 9", 9.0, 3.0}}});
   }
   ~MetricsTableTest() override { QLocale::setDefault(QLocale::system()); }
 
@@ -79,7 +72,7 @@ TEST_F(MetricsTableTest, SortsNumbersByValueNamesAsAPersonWouldAndTheUnknownLast
   sorted.sort(2, Qt::DescendingOrder);
   EXPECT_EQ(sorted.index(3, 0).data().toString(), "a, b");
   EXPECT_EQ(sorted.index(0, 0).data().toString(), "cell 9");
-  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("Angle ° ↓"));
+  EXPECT_EQ(sorted.headerData(2, Qt::Horizontal, Qt::DisplayRole).toString(), "Angle ° ↓");
   EXPECT_TRUE(tableAsCsv(sorted).startsWith("Name,Length mm,Angle (deg)\r\n")) << "files have no arrows";
 }
 

@@ -1,6 +1,5 @@
 #include "widgets/verify/residual_view.h"
 
-#include "hexoderm/base/units.h"
 #include "tests/support/app_theme.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/kept_picture.h"
@@ -15,11 +14,6 @@
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
-#include <QAbstractItemModelTester>
-#include <QHeaderView>
-#include <QTableView>
-#include <QTest>
-#include <QToolButton>
 
 namespace hexoderm {
 namespace {

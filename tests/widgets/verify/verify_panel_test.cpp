@@ -1,25 +1,110 @@
+// The panel of checks: poses that are held out, the shape of the skin, and other calibrations.
+
 #include "widgets/verify/verify_panel.h"
+#include "hexoderm/base/units.h"
+#include "tests/support/hand_made_skins.h"
+#include "tests/support/panel_on_screen.h"
+#include "tests/widgets/tables/table_texts.h"
 
-#include "tests/widgets/verify/verify_panel_fixture.h"
+#include <cstddef>
 
-#include <gmock/gmock.h>
-#include <QComboBox>
-#include <QPushButton>
-#include <QTableView>
-#include <QTest>
-#include <QToolButton>
-#include <optional>
-#include <vector>
-
-namespace hexoderm::verify_panel_test {
+namespace hexoderm {
 namespace {
+
+HoldOutResult heldOut(HoldOutAgreement agreement, double rms_deg) {
+  HoldOutResult result;
+  result.outcome = HoldOutOutcome::Evaluated;
+  result.pose = PoseId(3);
+  result.other_poses = 5;
+  for (std::uint32_t id = 1; id <= 17; ++id) {
+    result.cells.push_back({CellId(id), (id == 8 ? 3 : 1) * rms_deg * kDegree, 0.5 * kDegree});
+  }
+  result.links.push_back({{CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)}, 0.7 * kDegree, 0.6 * kDegree});
+  result.rms_rad = rms_deg * kDegree;
+  result.expected_rms_rad = 0.5 * kDegree;
+  result.agreement = agreement;
+  return result;
+}
+
+FoundLoop loop(bool closed, double length_m) {
+  FoundLoop loop;
+  loop.closed = closed;
+  loop.cells = {CellId(1), CellId(2), CellId(5), CellId(4)};
+  loop.closure.first = {CellId(1), PortNumber(3)};
+  loop.closure.second = {CellId(4), PortNumber(2)};
+  loop.closure.gap_m = {length_m, 0, 0};
+  loop.closure.length_m = length_m;
+  loop.closure.loop_length_m = 0.2;
+  loop.closure.percent = 500 * length_m;
+  loop.limit_m = 0.0075;
+  return loop;
+}
+
+SurfaceEvaluation cylinder() {
+  SurfaceEvaluation surface;
+  surface.kind = SurfaceKind::Cylinder;
+  surface.radius_m = 0.0503;
+  for (std::uint32_t id = 1; id <= 17; ++id) {
+    surface.cells.emplace_back(id);
+    surface.distance_m.push_back(id == 12 ? -0.0009 : 0.0003);
+    surface.tilt_rad.push_back(1 * kDegree);
+  }
+  surface.rms_m = 0.00042;
+  surface.tilt_rms_rad = 1 * kDegree;
+  return surface;
+}
+
+CheckedCell checked(std::uint32_t id, CellChange change, Message words) {
+  CheckedCell cell;
+  cell.cell = CellId(id);
+  cell.change = change;
+  cell.words = std::move(words);
+  cell.poses = 2;
+  if (change == CellChange::None) cell.noticed_turn_rad = 4 * kDegree;
+  return cell;
+}
+
+/// Two poses against a calibration of five cells: cell 5 turned, 7 is dead, 9 can't be told, 99 is gone.
+CalibrationCheck changedSkin() {
+  CalibrationCheck check;
+  check.poses = {PoseId(4), PoseId(5)};
+  check.cells = {
+      checked(1, CellChange::None, message("as calibrated")),
+      checked(5, CellChange::Turned, message("turned by {} +- {}", Degrees{20 * kDegree}, Degrees{0.5 * kDegree})),
+      checked(7, CellChange::Broken, message("dead: it reads no gravity")),
+      checked(9, CellChange::NotTold, message("can't be told: its calibration is too uncertain")),
+      checked(99, CellChange::Broken, message("gone: it is no longer among the skin's cells"))};
+  check.cells[1].turn = {20 * kDegree, 0.5 * kDegree, false};
+  check.summary = Message::verbatim("Not as calibrated: cells 5, 7 and 99.");
+  check.advice = Message::verbatim("See that it sits firmly.");
+  check.remarks = {Message::verbatim("A link is no longer reported.")};
+  check.changed = true;
+  check.compared = true;
+  return check;
+}
+
+class VerifyPanelTest : public test::PanelOnScreen<VerifyPanel> {
+ protected:
+  VerifyPanelTest() : PanelOnScreen({262, 640}) {}
+  std::shared_ptr<Reconstruction> skin() {
+    auto reconstruction = sampleX17();
+    reconstruction->assessment.position_95_m = 0.0012;
+    reconstruction->poses.push_back(reconstruction->poses.front());
+    reconstruction->poses.back().pose = PoseId(5);
+    return reconstruction;
+  }
+  std::string sentence(const char* section) {
+    auto* label = panel_->findChild<QLabel*>(QString(section) + "Sentence");
+    return label->isVisible() ? label->text().toStdString() : "";
+  }
+};
 
 TEST_F(VerifyPanelTest, SaysWhyAPoseCannotBeHeldOut) {
   auto* run = find<QPushButton>("holdOutRun");
   EXPECT_FALSE(run->isEnabled());
   EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
   EXPECT_EQ(run->toolTip().toStdString(), "There is no skin yet.");
-  panel_->setAwaited(QStringLiteral("Opening arm.hexo…"));
+  panel_->setAwaited("Opening arm.hexo…");
   EXPECT_EQ(sentence("holdOut"), "Opening arm.hexo…");
   panel_->setAwaited({});
   EXPECT_EQ(sentence("holdOut"), "There is no skin yet.");
@@ -151,5 +236,303 @@ TEST_F(VerifyPanelTest, FitsBesideThe3DViewOfASmallWindowInBothThemes) {
   }
 }
 
+TEST_F(VerifyPanelTest, SaysThatThereIsNoLoopOrHowTheyClose) {
+  panel_->setReconstruction(skin());
+  panel_->showLoops({});
+  EXPECT_EQ(sentence("loops"), "No loop in this patch: nothing closes that could be checked.");
+  EXPECT_FALSE(find<QTableView>("loopsTable")->isVisible());
+
+  std::vector<std::optional<LoopEvaluation>> shown;
+  QObject::connect(panel_, &VerifyPanel::loopShown,
+                   [&](const std::optional<LoopEvaluation>& l) { shown.push_back(l); });
+  panel_->showLoops({loop(false, 0.0034), loop(true, 0.0012), loop(true, 0.0003)});
+  EXPECT_EQ(sentence("loops"),
+            "One open loop; its gap is 3.40 mm, 1.7 % of its 200.00 mm. 2 closed loops close: the largest is left open "
+            "by 1.20 mm (0.6 %), and a skin link may leave 7.50 mm.");
+  ASSERT_EQ(shown.size(), 1U);
+  EXPECT_NEAR(shown[0]->length_m, 0.0034, 1e-12) << "the open loop is drawn";
+  find<QTableView>("loopsTable")->selectRow(2);
+  ASSERT_EQ(shown.size(), 2U);
+  EXPECT_NEAR(shown[1]->length_m, 0.0003, 1e-12);
+  EXPECT_TRUE(selection_.link().has_value());
+  panel_->showLoops({loop(true, 0.009)});
+  EXPECT_THAT(sentence("loops"), testing::HasSubstr("more than the 7.50 mm a skin link may leave"));
+}
+
+TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
+  panel_->setReconstruction(skin());
+  std::vector<std::pair<std::optional<SurfaceKind>, std::optional<double>>> asked;
+  QObject::connect(
+      panel_, &VerifyPanel::surfaceRequested,
+      [&](std::optional<SurfaceKind> kind, std::optional<double> radius) { asked.emplace_back(kind, radius); });
+  auto* kind = find<QComboBox>("surfaceKind");
+  auto* radius = find<QDoubleSpinBox>("surfaceRadius");
+  EXPECT_FALSE(radius->isEnabled());
+  EXPECT_FALSE(radius->toolTip().isEmpty());
+  kind->setCurrentText("Cylinder");
+  EXPECT_TRUE(radius->isEnabled());
+  radius->setFocus();
+  radius->selectAll();
+  QTest::keyClicks(radius, "50.1");
+  QTest::keyClick(radius, Qt::Key_Return);
+  kind->setCurrentText("Plane");
+  kind->setCurrentText("Most probable");
+  int dropped = 0;
+  QObject::connect(panel_, &VerifyPanel::surfaceDropped, [&] { ++dropped; });
+  kind->setCurrentText("None");
+  EXPECT_EQ(dropped, 1);
+  ASSERT_EQ(asked.size(), 4U);
+  EXPECT_EQ(asked[0].first, SurfaceKind::Cylinder);
+  EXPECT_FALSE(asked[0].second.has_value());
+  EXPECT_NEAR(asked[1].second.value_or(0), 0.0501, 1e-12);
+  EXPECT_EQ(asked[2].first, SurfaceKind::Plane);
+  EXPECT_FALSE(asked[2].second.has_value()) << "a plane has no radius";
+  EXPECT_FALSE(asked[3].first.has_value());
+}
+
+TEST_F(VerifyPanelTest, AFieldThatSaysNotKnownTakesTheNumberThatIsTypedIntoIt) {
+  panel_->setReconstruction(skin());
+  std::optional<double> asked;
+  QObject::connect(panel_, &VerifyPanel::surfaceRequested, [&](const auto& /*kind*/, auto radius) { asked = radius; });
+  find<QComboBox>("surfaceKind")->setCurrentText("Cylinder");
+  auto* radius = find<QDoubleSpinBox>("surfaceRadius");
+  auto* line = radius->findChild<QLineEdit*>();
+  // As a click into the text leaves it: nothing is picked.
+  QTest::mouseClick(line, Qt::LeftButton, Qt::NoModifier, QPoint(8, line->height() / 2));
+  line->deselect();
+  ASSERT_EQ(line->text(), "not known");
+  QTest::keyClicks(radius, "50.1");
+  QTest::keyClick(radius, Qt::Key_Return);
+  EXPECT_NEAR(radius->value(), 50.1, 1e-9);
+  EXPECT_NEAR(asked.value_or(0), 0.0501, 1e-12);
+  radius->selectAll();
+  QTest::keyClicks(radius, "0");
+  QTest::keyClick(radius, Qt::Key_Return);
+  EXPECT_FALSE(asked.has_value());
+}
+
+TEST_F(VerifyPanelTest, ASurfaceThatTheCellsContradictIsNotTickedAlthoughTheyLieOnIt) {
+  panel_->setReconstruction(skin());
+  SurfaceEvaluation sphere = cylinder();
+  sphere.kind = SurfaceKind::Sphere;
+  sphere.radius_m = 0.0734;
+  sphere.tilt_rms_rad = 36.8 * kDegree;
+  panel_->showSurfaces({sphere}, {});
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("That is within"));
+  sphere.better = std::make_shared<const SurfaceEvaluation>(cylinder());
+  panel_->showSurfaces({sphere}, {});
+  EXPECT_THAT(sentence("surface"), testing::Not(testing::HasSubstr("That is within")));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("the cells are tilted against it by 36.80° (rms)"));
+  EXPECT_THAT(sentence("surface"), testing::HasSubstr("Cylinder, radius 50.30 mm, with 1.00°"));
+}
+
+TEST_F(VerifyPanelTest, SurfacesAreJudgedByWhatIsStated) {
+  panel_->setReconstruction(skin());
+  std::optional<SurfaceEvaluation> shown;
+  QObject::connect(panel_, &VerifyPanel::surfaceShown, [&](const std::optional<SurfaceEvaluation>& s) { shown = s; });
+  SurfaceEvaluation surface = cylinder();
+  surface.delta_m = 0.0002;
+  surface.epsilon_m = 0.00047;
+  panel_->showSurfaces({surface}, {});
+  EXPECT_EQ(sentence("surface"),
+            "Cylinder, radius 50.30 mm: 17 cell centres lie within 0.42 mm (rms) of it; the worst is cell 12, 0.90 mm. "
+            "That is within the ±1.20 mm stated for positions (95 %). The radius is off the true one by Δ = 0.20 mm, "
+            "and the cells lie ε = 0.47 mm (rms) off the true surface.");
+  EXPECT_TRUE(shown.has_value());
+  panel_->showFailure(VerifyCheck::Surface, "cylinder fit: the points lie in a plane");
+  EXPECT_EQ(sentence("surface"), "cylinder fit: the points lie in a plane");
+  EXPECT_FALSE(find<QTableView>("surfaceTable")->isVisible());
+}
+
+TEST_F(VerifyPanelTest, ADistanceByCaliperIsComparedWithTheEstimate) {
+  EXPECT_FALSE(find<QDoubleSpinBox>("caliperDistance")->isEnabled());
+  EXPECT_EQ(sentence("caliper"), "");
+  const auto shown = skin();
+  for (CellPlacement& cell : shown->patches.front().cells) {
+    cell.T_o_u.t = Eigen::Vector3d(0.01 * cell.cell.value(), 0, 0);
+    cell.cov_t_r = Matrix6d::Identity() * 1e-6;
+  }
+  panel_->setReconstruction(shown);
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("Not measured yet"));
+  auto* first = find<QSpinBox>("caliperFirst");
+  auto* second = find<QSpinBox>("caliperSecond");
+  const auto proposed = farApart(shown->patches.front());
+  ASSERT_TRUE(proposed);
+  EXPECT_EQ(first->value(), static_cast<int>(proposed->first.value()));
+  EXPECT_EQ(second->value(), static_cast<int>(proposed->second.value()));
+
+  const auto type = [](QAbstractSpinBox* field, const QString& text) {
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, text);
+    QTest::keyClick(field, Qt::Key_Return);
+  };
+  const double estimated_mm = 1e3 * distanceBetween(*shown, proposed->first, proposed->second)->length_m;
+  auto* distance = find<QDoubleSpinBox>("caliperDistance");
+  QTest::keyClicks(distance, QString::number(estimated_mm, 'f', 1));
+  QTest::keyClick(distance, Qt::Key_Return);
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It agrees. Cells"));
+  type(distance, QString::number(1.3 * estimated_mm, 'f', 1));
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It contradicts the result."));
+  // Another result of the same skin is compared with what was measured.
+  panel_->setReconstruction(std::make_shared<Reconstruction>(*shown));
+  EXPECT_THAT(sentence("caliper"), testing::StartsWith("It contradicts the result."));
+  type(second, "4711");
+  EXPECT_EQ(sentence("caliper"), "there is no cell 4711");
+  type(second, QString::number(first->value()));
+  EXPECT_EQ(sentence("caliper"), "a distance is between two different cells");
+}
+
+TEST_F(VerifyPanelTest, ComparisonSaysWhetherItRepeatsAsStated) {
+  panel_->setReconstruction(skin());
+  Comparison comparison;
+  for (std::uint32_t id = 2; id <= 17; ++id) {
+    CellDifference cell;
+    cell.cell = CellId(id);
+    cell.position_m = {0.0005, 0, 0};
+    cell.orientation_rad = 0.4 * kDegree;
+    cell.sigma_t_m = 0.0006;
+    cell.sigma_r_rad = 0.5 * kDegree;
+    comparison.cells.push_back(cell);
+  }
+  comparison.position_rms_m = 0.0005;
+  comparison.orientation_rms_rad = 0.4 * kDegree;
+  panel_->showComparison({comparison}, "old.calibration.json");
+  EXPECT_EQ(
+      sentence("comparison"),
+      "Within what was stated for 95 % of cells. Against old.calibration.json, after alignment: 0.50 mm and 0.40° "
+      "rms over 16 cells. Of 16 cells, 16 have their position and 16 their orientation within what was "
+      "stated with 95 %.");
+  for (std::size_t k = 0; k < 3; ++k) comparison.cells[k].position_m *= 10;
+  panel_->showComparison({comparison}, "old.calibration.json");
+  EXPECT_THAT(sentence("comparison"), testing::StartsWith("Further apart than what was stated"));
+  EXPECT_EQ(find<QTableView>("comparisonTable")->model()->rowCount(), 16);
+  panel_->showComparison({}, "other.calibration.json");
+  EXPECT_EQ(sentence("comparison"), "other.calibration.json has no cell in common with this calibration.");
+}
+
+TEST_F(VerifyPanelTest, AnOldCalibrationIsComparedWithTheNewestPoses) {
+  using Asked = std::pair<std::string, std::optional<std::size_t>>;
+  std::vector<Asked> asked;
+  int wanted = 0;
+  int dropped = 0;
+  QObject::connect(panel_, &VerifyPanel::oldCalibrationWanted, [&] { ++wanted; });
+  QObject::connect(
+      panel_, &VerifyPanel::oldCalibrationRequested,
+      [&](const QString& path, std::optional<std::size_t> poses) { asked.emplace_back(path.toStdString(), poses); });
+  QObject::connect(panel_, &VerifyPanel::oldCalibrationDropped, [&] { ++dropped; });
+  auto* choose = find<QPushButton>("oldCalibrationChoose");
+  auto* poses = find<QComboBox>("oldCalibrationPoses");
+  auto* remove = find<QPushButton>("oldCalibrationRemove");
+  EXPECT_FALSE(choose->isEnabled());
+  EXPECT_EQ(choose->toolTip().toStdString(), "There is no skin yet.");
+  panel_->setReconstruction(skin());
+  panel_->setHasReadings(false);
+  EXPECT_FALSE(choose->isEnabled());
+  EXPECT_FALSE(poses->isEnabled());
+  EXPECT_THAT(sentence("oldCalibration"), testing::HasSubstr("open a session with the poses of today"));
+  panel_->setHasReadings(true);
+  EXPECT_EQ(sentence("oldCalibration"), "");
+  ASSERT_TRUE(choose->isEnabled());
+  choose->setFocus();
+  QTest::keyClick(choose, Qt::Key_Space);
+  EXPECT_EQ(wanted, 1);
+  EXPECT_FALSE(remove->isVisible());
+
+  poses->setFocus();
+  QTest::keyClick(poses, Qt::Key_Up);
+  QTest::keyClick(poses, Qt::Key_Down);
+  EXPECT_TRUE(asked.empty()) << "no file is chosen yet";
+  panel_->checkOldCalibration("arm.calibration.json");
+  QTest::keyClick(poses, Qt::Key_Up);
+  QTest::keyClick(poses, Qt::Key_End);
+  EXPECT_THAT(asked, testing::ElementsAre(Asked("arm.calibration.json", 2), Asked("arm.calibration.json", 1),
+                                          Asked("arm.calibration.json", std::nullopt)));
+  panel_->showOldCalibration(changedSkin(), "arm.calibration.json");
+  ASSERT_TRUE(remove->isVisible());
+  remove->setFocus();
+  QTest::keyClick(remove, Qt::Key_Space);
+  EXPECT_EQ(dropped, 1);
+  EXPECT_EQ(sentence("oldCalibration"), "");
+  EXPECT_FALSE(find<QTableView>("oldCalibrationTable")->isVisible());
+  EXPECT_FALSE(remove->isVisible());
+}
+
+TEST_F(VerifyPanelTest, CellsThatAreNotAsCalibratedComeFirstAndCanBePicked) {
+  panel_->setReconstruction(skin());
+  panel_->showOldCalibration(changedSkin(), "arm.calibration.json");
+  EXPECT_EQ(
+      sentence("oldCalibration"),
+      "Not as calibrated: cells 5, 7 and 99. See that it sits firmly. A link is no longer reported. Compared with "
+      "arm.calibration.json: poses 4 and 5.");
+  auto* table = find<QTableView>("oldCalibrationTable");
+  ASSERT_TRUE(table->isVisible());
+  const QAbstractItemModel& model = *table->model();
+  EXPECT_THAT(test::headers(model), testing::ElementsAre("Cell", "Now", "Turned °", "Drift mg", "Noticed from °"));
+  ASSERT_EQ(model.rowCount(), 5);
+  using testing::_;
+  EXPECT_THAT(test::rowTexts(model, 0), testing::ElementsAre("5", "turned by 20.0° +- 0.5°", "20.00", _, _));
+  EXPECT_EQ(test::text(model, 1, 1), "dead: it reads no gravity");
+  EXPECT_EQ(test::text(model, 2, 0), "99");
+  EXPECT_EQ(test::text(model, 3, 0), "9");
+  EXPECT_THAT(test::rowTexts(model, 4), testing::ElementsAre(_, "as calibrated", _, _, "4.00"));
+  EXPECT_TRUE(model.index(0, 0).data(Qt::FontRole).value<QFont>().bold());
+  EXPECT_FALSE(model.index(4, 0).data(Qt::FontRole).isValid());
+
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_Down);
+  table->selectRow(1);
+  EXPECT_EQ(selection_.cell(), CellId(7));
+  QTest::keyClick(table, Qt::Key_Up);
+  EXPECT_EQ(selection_.cell(), CellId(5));
+  table->selectRow(2);
+  EXPECT_EQ(selection_.cell(), CellId(5)) << "a cell that is gone is in no view";
+}
+
+TEST_F(VerifyPanelTest, ACalibrationThatHoldsIsTickedOnlyIfEveryTurnWouldShow) {
+  panel_->setReconstruction(skin());
+  CalibrationCheck holds;
+  holds.poses = {PoseId(5)};
+  holds.cells = {checked(1, CellChange::None, message("as calibrated"))};
+  holds.compared = true;
+  EXPECT_EQ(oldCalibrationText(holds, "a").tone, Tone::Good);
+  EXPECT_EQ(oldCalibrationText(holds, "a").text.toStdString(), "Compared with a: pose 5.");
+  CalibrationCheck blind = holds;
+  blind.cells.front().noticed_turn_rad.reset();
+  EXPECT_EQ(oldCalibrationText(blind, "a").tone, Tone::Caution);
+  CalibrationCheck nothing = holds;
+  nothing.cells.front().change = CellChange::NotTold;
+  nothing.compared = false;
+  EXPECT_EQ(oldCalibrationText(nothing, "a").tone, Tone::Caution);
+  EXPECT_EQ(oldCalibrationText(changedSkin(), "a").tone, Tone::Bad);
+}
+
+TEST_F(VerifyPanelTest, AnOldCalibrationThatFailsOrIsCancelledShowsNoEarlierCells) {
+  panel_->setReconstruction(skin());
+  auto* table = find<QTableView>("oldCalibrationTable");
+  panel_->checkOldCalibration("other.calibration.json");
+  panel_->showOldCalibration(changedSkin(), "arm.calibration.json");
+  ASSERT_TRUE(table->isVisible());
+  panel_->showFailure(VerifyCheck::OldCalibration, "other.calibration.json: the calibration is of another skin");
+  EXPECT_EQ(sentence("oldCalibration"), "other.calibration.json: the calibration is of another skin");
+  EXPECT_FALSE(table->isVisible());
+  EXPECT_TRUE(find<QPushButton>("oldCalibrationRemove")->isVisible());
+
+  panel_->showOldCalibration(changedSkin(), "arm.calibration.json");
+  std::vector<VerifyCheck> cancelled;
+  QObject::connect(panel_, &VerifyPanel::cancelRequested, [&](VerifyCheck check) {
+    cancelled.push_back(check);
+    panel_->setRunning(check, false);
+  });
+  panel_->setRunning(VerifyCheck::OldCalibration, true);
+  auto* cancel = find<QPushButton>("oldCalibrationCancel");
+  ASSERT_TRUE(test::waitUntil([&] { return cancel->isVisible(); }));
+  cancel->setFocus();
+  QTest::keyClick(cancel, Qt::Key_Space);
+  EXPECT_THAT(cancelled, testing::ElementsAre(VerifyCheck::OldCalibration));
+  EXPECT_EQ(sentence("oldCalibration"), "Cancelled.");
+  EXPECT_FALSE(table->isVisible());
+}
+
 }  // namespace
-}  // namespace hexoderm::verify_panel_test
+}  // namespace hexoderm

@@ -3,18 +3,8 @@
 #include "app/window/settings/translation.h"
 #include "tests/app/window/window_test.h"
 
-#include <QListWidget>
-#include <QRegularExpression>
-#include <QScrollBar>
-#include <QSignalSpy>
-#include <QTest>
-#include <QTextBrowser>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
-
-QApplication& application() { return *qobject_cast<QApplication*>(QCoreApplication::instance()); }
 
 QString textOf(const QString& language, const QString& page) {
   QFile file(QStringLiteral(":/hexoderm/guide/%1/%2.md").arg(language, page));
@@ -24,21 +14,21 @@ QString textOf(const QString& language, const QString& page) {
 
 TEST(UserGuide, HasEveryPageWithATitleInEveryLanguage) {
   for (const QString& language : shippedLanguages()) {
-    installTranslations(application(), language);
+    installTranslations(*qApp, language);
     for (const QString& page : GuideWindow::pages()) {
       EXPECT_FALSE(GuideWindow::titleOf(page).isEmpty()) << language.toStdString() << "/" << page.toStdString();
       EXPECT_TRUE(textOf(language, page).contains(GuideWindow::titleOf(page)));
     }
   }
-  EXPECT_EQ(GuideWindow::titleOf(QStringLiteral("keys")), QStringLiteral("Tasten"));
-  installTranslations(application(), QStringLiteral("en"));
-  EXPECT_EQ(GuideWindow::titleOf(QStringLiteral("keys")), QStringLiteral("Keys"));
-  EXPECT_TRUE(GuideWindow::titleOf(QStringLiteral("nothing")).isEmpty());
+  EXPECT_EQ(GuideWindow::titleOf("keys"), "Tasten");
+  installTranslations(*qApp, "en");
+  EXPECT_EQ(GuideWindow::titleOf("keys"), "Keys");
+  EXPECT_TRUE(GuideWindow::titleOf("nothing").isEmpty());
 }
 
 TEST(UserGuide, LinksAndPicturesLeadSomewhere) {
   const GuideWindow guide;  // has the resources loaded
-  static const QRegularExpression target(QStringLiteral("\\]\\(([^)]+)\\)"));
+  static const QRegularExpression target("\\]\\(([^)]+)\\)");
   for (const QString& language : shippedLanguages()) {
     int targets = 0;
     for (const QString& page : GuideWindow::pages()) {
@@ -55,33 +45,33 @@ TEST(UserGuide, LinksAndPicturesLeadSomewhere) {
 TEST(UserGuide, LeadsFromPageToPageAndBack) {
   GuideWindow guide;
   guide.show();
-  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
-  auto* contents = guide.findChild<QListWidget*>(QStringLiteral("guideContents"));
-  auto* back = guide.findChild<QToolButton*>(QStringLiteral("guideBack"));
+  auto* browser = guide.findChild<QTextBrowser*>("guidePage");
+  auto* contents = guide.findChild<QListWidget*>("guideContents");
+  auto* back = guide.findChild<QToolButton*>("guideBack");
   ASSERT_TRUE(browser && contents && back);
-  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  EXPECT_EQ(guide.currentPage(), "demo");
   EXPECT_FALSE(back->isEnabled());
-  EXPECT_TRUE(browser->toPlainText().contains(QStringLiteral("17 cells")));
+  EXPECT_TRUE(browser->toPlainText().contains("17 cells"));
 
   const QRect row = contents->visualItemRect(contents->item(4));
   QTest::mouseClick(contents->viewport(), Qt::LeftButton, Qt::NoModifier, row.center());
   EXPECT_EQ(guide.currentPage(), GuideWindow::pages().at(4));
   ASSERT_TRUE(back->isEnabled());
   QTest::mouseClick(back, Qt::LeftButton);
-  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  EXPECT_EQ(guide.currentPage(), "demo");
   EXPECT_EQ(contents->currentRow(), 0);
-  guide.showPage(QStringLiteral("no such page"));
-  EXPECT_EQ(guide.currentPage(), QStringLiteral("demo"));
+  guide.showPage("no such page");
+  EXPECT_EQ(guide.currentPage(), "demo");
 }
 
 TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   applyTheme(Theme::Light);
-  GuideWindow guide(nullptr, QStringLiteral("faults"));
-  EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
+  GuideWindow guide(nullptr, "faults");
+  EXPECT_EQ(guide.currentPage(), "faults");
   guide.resize(500, 300);
   guide.show();
   ASSERT_TRUE(test::waitUntilExposed(guide));
-  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
+  auto* browser = guide.findChild<QTextBrowser*>("guidePage");
   ASSERT_NE(browser, nullptr);
   QScrollBar* bar = browser->verticalScrollBar();
   ASSERT_GT(bar->maximum(), 50);
@@ -92,13 +82,13 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   QCoreApplication::processEvents();
   EXPECT_EQ(read.count(), 1);
   EXPECT_EQ(bar->value(), 50);
-  EXPECT_EQ(guide.currentPage(), QStringLiteral("faults"));
+  EXPECT_EQ(guide.currentPage(), "faults");
   // A guide that is closed is read again when it is opened, and not before; an open one is read meanwhile.
   guide.hide();
   GuideWindow open;
   open.show();
   ASSERT_TRUE(test::waitUntilExposed(open));
-  QSignalSpy open_read(open.findChild<QTextBrowser*>(QStringLiteral("guidePage")), &QTextBrowser::sourceChanged);
+  QSignalSpy open_read(open.findChild<QTextBrowser*>("guidePage"), &QTextBrowser::sourceChanged);
   applyTheme(Theme::Light);
   ASSERT_TRUE(test::waitUntil([&] { return open_read.count() > 0; }));
   QCoreApplication::processEvents();
@@ -111,12 +101,12 @@ TEST(UserGuide, FindsWordsInThePageOnceAround) {
   GuideWindow guide;
   guide.show();
   ASSERT_TRUE(test::waitUntilExposed(guide));
-  auto* browser = guide.findChild<QTextBrowser*>(QStringLiteral("guidePage"));
-  auto* search = guide.findChild<QLineEdit*>(QStringLiteral("guideSearch"));
-  auto* not_found = guide.findChild<QLabel*>(QStringLiteral("guideNotFound"));
-  QTest::keyClicks(search, QStringLiteral("demo"));
+  auto* browser = guide.findChild<QTextBrowser*>("guidePage");
+  auto* search = guide.findChild<QLineEdit*>("guideSearch");
+  auto* not_found = guide.findChild<QLabel*>("guideNotFound");
+  QTest::keyClicks(search, "demo");
   QTest::keyClick(search, Qt::Key_Return);
-  EXPECT_EQ(browser->textCursor().selectedText().toLower(), QStringLiteral("demo"));
+  EXPECT_EQ(browser->textCursor().selectedText().toLower(), "demo");
   const int first = browser->textCursor().position();
   for (int k = 0; k < 50 && browser->textCursor().position() >= first; ++k) {
     QTest::keyClick(search, Qt::Key_Return);
@@ -124,7 +114,7 @@ TEST(UserGuide, FindsWordsInThePageOnceAround) {
   }
   EXPECT_EQ(browser->textCursor().position(), first) << "it goes once around";
   EXPECT_FALSE(not_found->isVisible());
-  search->setText(QStringLiteral("xylophone"));
+  search->setText("xylophone");
   QTest::keyClick(search, Qt::Key_Return);
   EXPECT_TRUE(not_found->isVisible());
 }
@@ -134,22 +124,22 @@ class GuideFromTheWindow : public WindowTest {};
 TEST_F(GuideFromTheWindow, OpensWithF1AtThePageAboutWhatIsToBeDone) {
   press(Qt::Key_F1);
   auto* guide = waitForDialog<GuideWindow>("guideWindow");
-  EXPECT_EQ(guide->currentPage(), QStringLiteral("demo"));
+  EXPECT_EQ(guide->currentPage(), "demo");
   QTest::keyClick(guide, Qt::Key_Escape);
   EXPECT_TRUE(waitUntil([&] { return window_->findChild<GuideWindow*>() == nullptr; }));
 
   takeDemoPoses(1);
   press(Qt::Key_F1);
   guide = waitForDialog<GuideWindow>("guideWindow");
-  EXPECT_EQ(guide->currentPage(), QStringLiteral("capture"));
-  guide->showPage(QStringLiteral("keys"));
-  const QString keys = guide->findChild<QTextBrowser*>(QStringLiteral("guidePage"))->toPlainText();
+  EXPECT_EQ(guide->currentPage(), "capture");
+  guide->showPage("keys");
+  const QString keys = guide->findChild<QTextBrowser*>("guidePage")->toPlainText();
   for (const QAction* known : {window_->actions().open, window_->actions().guide, window_->actions().report}) {
     EXPECT_TRUE(keys.contains(known->shortcut().toString(QKeySequence::NativeText))) << known->text().toStdString();
     EXPECT_TRUE(keys.contains(known->text().remove('&').remove(QChar(0x2026)))) << known->text().toStdString();
   }
   EXPECT_FALSE(keys.contains(QLatin1Char('@')));
-  EXPECT_FALSE(keys.contains(QStringLiteral("Step 8"))) << "there are seven";
+  EXPECT_FALSE(keys.contains("Step 8")) << "there are seven";
   guide->close();
 }
 

@@ -3,9 +3,6 @@
 #include "widgets/patch/patch_legend_view.h"
 #include "widgets/patch/patch_view.h"
 
-#include <QRadioButton>
-#include <QToolButton>
-
 namespace hexoderm {
 namespace {
 
@@ -57,18 +54,15 @@ TEST_F(ColoringPresenterTest, WhatTheOperatorChoosesStands) {
 TEST_F(ColoringPresenterTest, AFixedRangeStaysWithOtherResultsAndStartsUntilItIsReleased) {
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::PositionUncertainty);
-  EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"))
-      << qPrintable(legend().accessibleDescription());
+  EXPECT_THAT(legend().accessibleDescription(), HasText("range fitted"));
   emit legend().rangeFixed({0, 5});
   EXPECT_TRUE(legend().accessibleDescription().contains("range fixed"));
   ASSERT_NO_FATAL_FAILURE(openFile(writeSession(pathTo("another.hexo"), 4)));
-  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
-      << qPrintable(legend().accessibleDescription());
+  EXPECT_THAT(legend().accessibleDescription(), HasText("from 0.00 to 5.00 mm, range fixed"));
   reopenWindow();
   ASSERT_NO_FATAL_FAILURE(openSession());
   choose(Coloring::PositionUncertainty);
-  EXPECT_TRUE(legend().accessibleDescription().contains("from 0.00 to 5.00 mm, range fixed"))
-      << qPrintable(legend().accessibleDescription());
+  EXPECT_THAT(legend().accessibleDescription(), HasText("from 0.00 to 5.00 mm, range fixed"));
   window_->preferences().restoreDefaults();
   EXPECT_TRUE(legend().accessibleDescription().contains("range fitted"));
   emit legend().rangeFixed({0, 5});

@@ -1,10 +1,5 @@
 #include "hexoderm/base/error.h"
 #include "tests/app/window/presenters/presenter_test.h"
-#include "tests/support/paths.h"
-
-#include <QMenu>
-#include <QProcess>
-#include <QToolButton>
 
 namespace hexoderm {
 namespace {
@@ -50,12 +45,12 @@ TEST_F(HistoryPresenterTest, RecentFilesWithNamesOfAnyLengthLeaveTheStepsNarrow)
     ASSERT_NO_FATAL_FAILURE(openFile(file));
   };
   const auto stepsWidth = [this] { return find<QWidget>("stepsDock")->width(); };
-  ASSERT_NO_FATAL_FAILURE(openRecent(QStringLiteral("left-forearm-of-the-second-robot-after-repair.hexo")));
+  ASSERT_NO_FATAL_FAILURE(openRecent("left-forearm-of-the-second-robot-after-repair.hexo"));
   EXPECT_LT(stepsWidth(), window_->width() / 3);
   // Names are cut to whole letters.
   const int widest = stepsWidth() + window_->fontMetrics().horizontalAdvance(QLatin1Char('M'));
-  ASSERT_NO_FATAL_FAILURE(openRecent(QStringLiteral(
-      "left-forearm-of-the-second-robot-after-its-repair-in-the-winter-before-last-with-new-cells.hexo")));
+  ASSERT_NO_FATAL_FAILURE(
+      openRecent("left-forearm-of-the-second-robot-after-its-repair-in-the-winter-before-last-with-new-cells.hexo"));
   EXPECT_LE(stepsWidth(), widest);
   keepPicture(window_->picture(), "recent-light");
   press(Qt::Key_1, Qt::ControlModifier);
@@ -207,9 +202,8 @@ TEST_F(HistoryPresenterTest, RecoversWhatAKilledProgramLeft) {
   environment.insert("XDG_CONFIG_HOME", home.path());
   environment.insert("XDG_DATA_HOME", home.path());
   process.setProcessEnvironment(environment);
-  QSettings(home.filePath("Hexoderm/hexoderm.conf"), QSettings::IniFormat)
-      .setValue("demo/source", QStringLiteral("sim:x17?speed=20"));
-  process.start(QStringLiteral(HEXODERM_PROGRAM), {"--demo", "--poses", "4"});
+  QSettings(home.filePath("Hexoderm/hexoderm.conf"), QSettings::IniFormat).setValue("demo/source", "sim:x17?speed=20");
+  process.start(HEXODERM_PROGRAM, {"--demo", "--poses", "4"});
   ASSERT_TRUE(process.waitForStarted(test::kPatience_ms));
   // Until it has taken two poses that nobody has saved.
   const QString its_folder = home.filePath("Hexoderm/hexoderm/unsaved");

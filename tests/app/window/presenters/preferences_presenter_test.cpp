@@ -1,8 +1,5 @@
 #include "tests/app/window/presenters/presenter_test.h"
 
-#include <QDoubleSpinBox>
-#include <QTabWidget>
-
 namespace hexoderm {
 namespace {
 

@@ -4,9 +4,6 @@
 #include "app/window/log/event_log.h"
 #include "tests/app/window/window_test.h"
 
-#include <QDir>
-#include <QFileInfo>
-
 namespace hexoderm {
 
 /// The main window without a log, recent files or unsaved sessions of earlier tests.

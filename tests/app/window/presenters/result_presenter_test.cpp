@@ -5,9 +5,6 @@
 #include "widgets/patch/patch_captions.h"
 #include "widgets/words/words.h"
 
-#include <QStackedWidget>
-#include <functional>
-#include <optional>
 #include <utility>
 
 namespace hexoderm {

@@ -3,19 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QCheckBox>
-#include <QComboBox>
-#include <QFrame>
-#include <QHeaderView>
-#include <QLabel>
-#include <QLineEdit>
-#include <QProxyStyle>
-#include <QPushButton>
-#include <QStyle>
-#include <QTableWidget>
-#include <QTest>
-#include <QVBoxLayout>
 #include <map>
 #include <memory>
 
@@ -25,7 +12,7 @@ namespace {
 /// Counts how often each widget is made to look like itself.
 class CountingStyle : public QProxyStyle {
  public:
-  CountingStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+  CountingStyle() : QProxyStyle("Fusion") {}
   using QProxyStyle::polish;
   void polish(QWidget* widget) override {
     ++times[widget];
@@ -45,7 +32,7 @@ TEST(ThemeTest, AChangeDressesAWidgetOnceHoweverDeepItIsInOthers) {
     inner = new QFrame(outer);
     (new QVBoxLayout(outer))->addWidget(inner);
   }
-  auto* label = new QLabel(QStringLiteral("deep"), inner);
+  auto* label = new QLabel("deep", inner);
   label->setProperty("muted", true);
   window.show();
   ASSERT_TRUE(test::waitUntilExposed(window));
@@ -73,22 +60,22 @@ std::unique_ptr<QWidget> makeParts() {
   auto* card = new QFrame;
   card->setProperty("card", true);
   auto* card_layout = new QVBoxLayout(card);
-  auto* primary = new QPushButton(QStringLiteral("Go on"));
+  auto* primary = new QPushButton("Go on");
   primary->setProperty("primary", true);
-  auto* disabled = new QPushButton(QStringLiteral("Not now"));
+  auto* disabled = new QPushButton("Not now");
   disabled->setEnabled(false);
   auto* choice = new QComboBox;
-  choice->addItem(QStringLiteral("one of many"));
-  auto* check = new QCheckBox(QStringLiteral("checked"));
+  choice->addItem("one of many");
+  auto* check = new QCheckBox("checked");
   check->setChecked(true);
   auto* table = new QTableWidget(3, 2);
-  table->setHorizontalHeaderLabels({QStringLiteral("first"), QStringLiteral("second")});
+  table->setHorizontalHeaderLabels({"first", "second"});
   table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  for (int row = 0; row < 3; ++row) table->setItem(row, 0, new QTableWidgetItem(QStringLiteral("text")));
+  for (int row = 0; row < 3; ++row) table->setItem(row, 0, new QTableWidgetItem("text"));
   table->selectRow(1);
-  for (QWidget* part : {static_cast<QWidget*>(primary), static_cast<QWidget*>(disabled), static_cast<QWidget*>(choice),
-                        static_cast<QWidget*>(check), static_cast<QWidget*>(new QLineEdit(QStringLiteral("typed"))),
-                        static_cast<QWidget*>(table)}) {
+  for (QWidget* part :
+       {static_cast<QWidget*>(primary), static_cast<QWidget*>(disabled), static_cast<QWidget*>(choice),
+        static_cast<QWidget*>(check), static_cast<QWidget*>(new QLineEdit("typed")), static_cast<QWidget*>(table)}) {
     part->setFocusPolicy(Qt::NoFocus);
     card_layout->addWidget(part);
   }

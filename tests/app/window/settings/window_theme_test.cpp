@@ -6,8 +6,6 @@
 #include <QDBusConnection>
 #include <QDBusMessage>
 #include <QDBusVariant>
-#include <QProcess>
-#include <QSettings>
 
 namespace hexoderm {
 namespace {
@@ -16,29 +14,27 @@ namespace {
 class WindowThemeTest : public WindowTest {
  protected:
   void SetUp() override {
-    daemon_.start(QStringLiteral("dbus-daemon"),
-                  {QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--print-address")});
+    daemon_.start("dbus-daemon", {"--session", "--nofork", "--print-address"});
     ASSERT_TRUE(waitUntil([this] { return daemon_.canReadLine(); })) << daemon_.errorString().toStdString();
     const QByteArray address = daemon_.readLine().trimmed();
     qputenv("DBUS_SESSION_BUS_ADDRESS", address);
-    portal_ = std::make_unique<QDBusConnection>(
-        QDBusConnection::connectToBus(QString::fromLocal8Bit(address), QStringLiteral("portal")));
+    portal_ =
+        std::make_unique<QDBusConnection>(QDBusConnection::connectToBus(QString::fromLocal8Bit(address), "portal"));
     ASSERT_TRUE(portal_->isConnected());
-    ASSERT_TRUE(portal_->registerService(QStringLiteral("org.freedesktop.portal.Desktop")));
+    ASSERT_TRUE(portal_->registerService("org.freedesktop.portal.Desktop"));
     WindowTest::SetUp();
   }
   void TearDown() override {
     window_.reset();
     portal_.reset();
-    QDBusConnection::disconnectFromBus(QStringLiteral("portal"));
+    QDBusConnection::disconnectFromBus("portal");
     daemon_.kill();
     daemon_.waitForFinished();
   }
 
   void announce(const char* space, const char* key, uint value) {
-    QDBusMessage signal =
-        QDBusMessage::createSignal(QStringLiteral("/org/freedesktop/portal/desktop"),
-                                   QStringLiteral("org.freedesktop.portal.Settings"), QStringLiteral("SettingChanged"));
+    QDBusMessage signal = QDBusMessage::createSignal("/org/freedesktop/portal/desktop",
+                                                     "org.freedesktop.portal.Settings", "SettingChanged");
     signal << QLatin1String(space) << QLatin1String(key) << QVariant::fromValue(QDBusVariant(value));
     ASSERT_TRUE(portal_->send(signal));
   }
@@ -83,7 +79,7 @@ TEST_F(WindowThemeTest, FollowsTheDesktopAsLongAsThatIsChosen) {
   announceColorScheme(kDark);
   ASSERT_TRUE(waitUntil([&] { return announced == 2; }));
   EXPECT_TRUE(isShown(Theme::Dark));
-  EXPECT_EQ(QSettings().value(QStringLiteral("view/theme")).toString(), QStringLiteral("system"));
+  EXPECT_EQ(QSettings().value("view/theme").toString(), "system");
 }
 
 }  // namespace

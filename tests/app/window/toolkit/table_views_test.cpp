@@ -4,10 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QHeaderView>
-#include <QImage>
-#include <QStandardItemModel>
-#include <QTableView>
 #include <memory>
 
 namespace hexoderm {
@@ -15,7 +11,7 @@ namespace {
 
 /// A table of one text, at the top of its row, in a column of a width that the test chooses.
 std::unique_ptr<QTableView> makeWrappingTable(QStandardItemModel& model) {
-  std::unique_ptr<QTableView> view(makeTable(&model, "view", QStringLiteral("Findings")));
+  std::unique_ptr<QTableView> view(makeTable(&model, "view", "Findings"));
   wrapRows(view.get());
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   view->resize(700, 300);
@@ -30,7 +26,7 @@ QImage firstLine(QTableView& view) {
 
 TEST(TableViews, ATextIsWrappedBeforeItIsElidedAtWhateverWidthItsColumnIsGiven) {
   applyTheme(Theme::Light);
-  const QString text = QStringLiteral("There is no pose yet: the shape shown follows from the ports alone.");
+  const QString text = "There is no pose yet: the shape shown follows from the ports alone.";
   QStandardItemModel model(1, 1);
   auto* item = new QStandardItem(text);
   item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -4,15 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLineEdit>
-#include <QScrollArea>
-#include <QScrollBar>
-#include <QSlider>
-#include <QVBoxLayout>
-
 namespace hexoderm {
 namespace {
 

@@ -1,32 +1,50 @@
-// No command replaces a file that it reads, nor a session. The options are those of the help, so that a new one is
-// tried too, or fails a test until it is said what it is.
+// The commands and options that the help lists, so that a new one is tried too. No command replaces a file that it
+// reads, nor a session; every option of numbers says which it takes, and refuses all others before any work.
 
 #include "hexoderm/session/session_store.h"
-
 #include "tests/app/cli/cli_program.h"
-#include "tests/app/cli/listed_options.h"
-#include "tests/support/paths.h"
+#include "tests/support/child_process.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <fstream>
-#include <map>
+#include <regex>
 #include <set>
 #include <sstream>
-#include <thread>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-
 namespace fs = std::filesystem;
 
-using test::optionsIn;
-using Option = test::ListedOption;
+struct Option {
+  std::string name;  ///< "--robot"; of an argument "input"
+  std::string type;  ///< "FILE"
+};
+
+/// Of the program's own help.
+std::vector<std::string> commandsIn(const std::string& help) {
+  std::istringstream lines(help);
+  std::vector<std::string> names;
+  std::string line;
+  while (std::getline(lines, line) && line != "Subcommands:") continue;
+  const std::regex entry("  ([a-z]+) .*");
+  for (std::smatch match; std::getline(lines, line);) {
+    if (std::regex_match(line, match, entry)) names.push_back(match[1]);
+  }
+  return names;
+}
+
+/// Options and arguments of a command's help that take a value.
+std::vector<Option> optionsIn(const std::string& help) {
+  std::istringstream lines(help);
+  std::vector<Option> options;
+  const std::regex entry("(?:  ){1,2}([a-z]+|(?:-\\w,)?--[-a-z]+) ([A-Z]{3,}(?::\\{)?).*");
+  std::string line;
+  for (std::smatch match; std::getline(lines, line);) {
+    if (!std::regex_match(line, match, entry)) continue;
+    const std::string name = match[1];
+    options.push_back({name.substr(name.find(',') + 1), match[2]});
+  }
+  return options;
+}
 
 /// What each command needs beside inputs and outputs to be run at all. One that has an output has to be here.
 const std::map<std::string, std::string> kNeeded = {
@@ -49,7 +67,7 @@ const std::set<std::string> kWords = {
 
 class CliOutputs : public CliWithSkin {
  protected:
-  [[nodiscard]] std::vector<std::string> commands() const { return test::commandsIn(run("--help").out); }
+  [[nodiscard]] std::vector<std::string> commands() const { return commandsIn(run("--help").out); }
 
   /// That a command ends with this code and one line that says all of this, and changes nothing.
   void expectRefused(const std::string& arguments, int exit_code, const std::vector<std::string>& says) {
@@ -107,46 +125,37 @@ TEST_F(CliOutputs, EveryOptionIsKnownAsAnInputAnOutputOrAWord) {
   EXPECT_EQ(words, kWords) << "a file that is read (kInput), one that is written (kOutput), or a word?";
 }
 
-TEST_F(CliOutputs, NoneIsAnInput) {
-  std::size_t tried = 0;
-  for (const std::string& command : commands()) {
-    const std::vector<Option> options = optionsIn(run(command + " --help").out);
-    for (const Option& output : options) {
-      if (output.type != "OUTPUT") continue;
-      ASSERT_TRUE(kNeeded.contains(command)) << command << ' ' << output.name;
-      for (const Option& input : options) {
-        if (input.type != "FILE") continue;
-        ++tried;
-        expectRefused(argumentsFor(command, {{input.name, "arm.session.json"}, {output.name, "./arm.session.json"}}), 2,
-                      {"./arm.session.json", output.name == "--output" ? "-o" : output.name, "is one of the inputs"});
-      }
-    }
-  }
-  EXPECT_GE(tried, 15U);
-}
-
-TEST_F(CliOutputs, NoneIsASession) {
+TEST_F(CliOutputs, NoneIsAnInputOrASession) {
   fs::create_directory(path("sub"));
   fs::copy_file(path("arm.hexo"), path("named.session.json"));
   fs::create_hard_link(path("arm.hexo"), path("hard.calibration.json"));
   fs::create_symlink("arm.hexo", path("soft.json"));
   fs::create_symlink("../arm.hexo", path("sub/soft.hexo"));
-  std::size_t tried = 0;
+  const std::string names[] = {
+      "arm.hexo",      path("arm.hexo"), "sub/../named.session.json", "hard.calibration.json", "soft.json",
+      "sub/soft.hexo", "arm.hexo-wal"};
+  std::size_t inputs = 0;
+  std::size_t outputs = 0;
   for (const std::string& command : commands()) {
-    for (const Option& output : optionsIn(run(command + " --help").out)) {
+    const std::vector<Option> options = optionsIn(run(command + " --help").out);
+    for (const Option& output : options) {
       if (output.type != "OUTPUT") continue;
+      ++outputs;
       ASSERT_TRUE(kNeeded.contains(command)) << command << ' ' << output.name;
-      for (const std::string& name :
-           {std::string("arm.hexo"), path("arm.hexo"), std::string("sub/../named.session.json"),
-            std::string("hard.calibration.json"), std::string("soft.json"), std::string("sub/soft.hexo"),
-            std::string("arm.hexo-wal")}) {
-        ++tried;
-        expectRefused(argumentsFor(command, {{output.name, name}}), 5,
-                      {name, output.name == "--output" ? "-o" : output.name, "never replaced"});
+      const std::string said = output.name == "--output" ? "-o" : output.name;
+      for (const Option& input : options) {
+        if (input.type != "FILE") continue;
+        ++inputs;
+        expectRefused(argumentsFor(command, {{input.name, "arm.session.json"}, {output.name, "./arm.session.json"}}), 2,
+                      {"./arm.session.json", said, "is one of the inputs"});
+      }
+      for (const std::string& name : names) {
+        expectRefused(argumentsFor(command, {{output.name, name}}), 5, {name, said, "never replaced"});
       }
     }
   }
-  EXPECT_GE(tried, 11U * 7U);
+  EXPECT_GE(inputs, 15U);
+  EXPECT_GE(outputs, 11U);
 }
 
 TEST_F(CliOutputs, AnInputThatIsASessionStaysToo) {
@@ -156,6 +165,27 @@ TEST_F(CliOutputs, AnInputThatIsASessionStaysToo) {
     expectRefused("convert arm.hexo -o " + name, 5, {"-o " + name});
     expectRefused("sensors arm.session.json arm.hexo -o " + name, 5, {"-o " + name});
   }
+}
+
+TEST_F(CliOutputs, ASessionIsNotMadeBesideTheLogOfAnother) {
+  std::ofstream(path("notes.hexo-wal")) << "somebody's notes";
+  for (const std::string command : {"convert arm.session.json", "simulate --poses 2"}) {
+    expectRefused(command + " -o notes.hexo", 5, {"notes.hexo", "-wal lies beside it"});
+  }
+}
+
+TEST_F(CliOutputs, NothingIsWrittenInThePlaceOfASessionThatAnotherProcessCapturesInto) {
+  test::ChildProcess capture(
+      {program_, "capture", "--source", "sim:x17?speed=20", "--auto", "--poses", "6", "-o", "live.hexo"},
+      folder_.path().string(), test::ChildProcess::Stream::Read, test::ChildProcess::Stream::Read);
+  capture.waitForError("Pose 1 captured");
+  for (const std::string name : {"live.hexo", "live.hexo-wal", "live.hexo-shm"}) {
+    EXPECT_NE(run("solve arm.session.json -o " + name).exit_code, 0) << name;
+    EXPECT_NE(run("export arm.calibration.json --to urdf -o " + name).exit_code, 0) << name;
+  }
+  capture.waitForOutput("6 poses of 17 cells");
+  EXPECT_LE(capture.wait().value_or(-1), 1);
+  EXPECT_EQ(readSessionStore(path("live.hexo")).poses().size(), 6U);
 }
 
 TEST_F(CliOutputs, EarlierOutputsAreReplaced) {
@@ -202,24 +232,20 @@ TEST_F(CliOutputs, WhatIsWrittenBesideASimulatedRobotReplacesNoSession) {
   }
 }
 
-TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItself) {
+TEST_F(CliOutputs, ARecordingIsNotRecordedIntoItselfWhichMayBeStandardInput) {
   ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 4 --record arm.skinrec -o first.hexo").exit_code, 0);
   fs::create_hard_link(path("arm.skinrec"), path("hard.skinrec"));
   for (const std::string name : {"arm.skinrec", "./arm.skinrec", "hard.skinrec"}) {
     expectRefused("capture --source 'replay:arm.skinrec?speed=max' --record " + name + " -o second.hexo", 2,
                   {"--record " + name, "is one of the inputs"});
   }
-}
-
-TEST_F(CliOutputs, StandardInputIsAnInput) {
-  ASSERT_EQ(run("capture --source sim:x17?speed=20 --auto --poses 3 --record arm.skinrec -o first.hexo").exit_code, 0);
   const auto before = contents();
   EXPECT_THAT(errorOf("capture --source stdin --record arm.skinrec -o second.hexo <arm.skinrec", 2),
               AllOf(HasSubstr("--record arm.skinrec"), HasSubstr("is one of the inputs")));
   EXPECT_TRUE(contents() == before);
 }
 
-TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
+TEST_F(CliOutputs, NoFileIsWrittenByTwoOptionsAndNoneBesideARobotToStandardOutput) {
   for (const std::string arguments :
        {"simulate --robot demo --poses 2 -o a.session.json --joints a.session.json",
         "simulate --robot demo --poses 2 -o a.session.json --truth ./a.session.json",
@@ -230,20 +256,18 @@ TEST_F(CliOutputs, NoFileIsWrittenByTwoOptions) {
         "capture --source sim:x17 --auto --poses 2 -o live.hexo --record live.hexo-wal"}) {
     expectRefused(arguments, 2, {"which another option writes"});
   }
-}
-
-TEST_F(CliOutputs, FilesBesideASimulatedRobotAreNotStandardOutput) {
   for (const std::string option : {"--joints", "--truth"}) {
     expectRefused("simulate --robot demo --poses 2 -o a.session.json " + option + " -", 2, {option, "name of a file"});
   }
 }
 
-TEST_F(CliOutputs, TwoCalibrationsOfABatchAreNotOneFile) {
+TEST_F(CliOutputs, TwoCalibrationsOfABatchAreNotOneFileNorIsAFileTheirFolder) {
   fs::create_directory(path("out"));
   std::ofstream(path("out/arm.calibration.json")) << "earlier";
   fs::create_symlink("arm.calibration.json", path("out/leg.calibration.json"));
   fs::copy_file(path("arm.session.json"), path("leg.session.json"));
   expectRefused("solve arm.session.json leg.session.json -o out", 2, {"leg.calibration.json", "collides with"});
+  expectRefused("solve arm.session.json -o arm.session.json/", 2, {"expected a folder", "arm.session.json"});
 }
 
 TEST_F(CliOutputs, ARecordingStaysUntilASkinHasDescribedItself) {
@@ -284,8 +308,88 @@ TEST_F(CliOutputs, AnInputIsNotTakenForLeftBehind) {
   EXPECT_TRUE(exists(hidden));
 }
 
-TEST_F(CliOutputs, AFileIsNoFolderForCalibrations) {
-  expectRefused("solve arm.session.json -o arm.session.json/", 2, {"expected a folder", "arm.session.json"});
+using CliNumbers = Cli;
+
+TEST_F(CliNumbers, ThatNoOptionTakesAreRefusedWithItsNameAndItsRange) {
+  std::size_t tried = 0;
+  for (const std::string& command : commandsIn(run("--help").out)) {
+    for (const Option& option : optionsIn(run(command + " --help").out)) {
+      if (option.type != "FLOAT" && option.type != "UINT" && option.type != "INT") continue;
+      const std::string kind = option.type == "FLOAT" ? "a number" : "a whole number";
+      const std::string others = option.name == "--up" ? " 0 1" : "";  // of a direction
+      for (const std::string value : {"nan", "inf", "-inf", "1e300", "-1e300", "1e400", "''", "many"}) {
+        ++tried;
+        const std::string found = value == "''" ? "" : value;
+        EXPECT_THAT(complaint(command + " " + option.name + " " + value + others, 2),
+                    AllOf(HasSubstr(option.name + ": expected " + kind), HasSubstr("found \"" + found + "\""),
+                          ContainsRegex("(from|above) -?[0-9.]+ (to|and at most) [0-9.]+")))
+            << command;
+      }
+    }
+  }
+  EXPECT_GE(tried, 20U * 8U);
+}
+
+TEST_F(CliNumbers, OutsideTheRangeAreRefused) {
+  for (const auto& [arguments, says] : {
+           std::pair<std::string, std::string>{"capture --timeout 0",
+                                               "--timeout: expected a number above 0 and at most 1000000, found \"0\""},
+           {"simulate --offset-sigma -1", "--offset-sigma: expected a number from 0 to 100000, found \"-1\""},
+           {"simulate --poses 1001", "--poses: expected a whole number from 0 to 1000, found \"1001\""},
+           {"simulate --poses 2.5", "--poses: expected a whole number from 0 to 1000, found \"2.5\""},
+           {"place --gap -0.1", "--gap: expected a number from 0 to 100000, found \"-0.1\""},
+           {"place --surface-sigma 0", "--surface-sigma: expected a number from 0.001 to 100000, found \"0\""},
+           {"place --normal-sigma 361", "--normal-sigma: expected a number from 0.001 to 360, found \"361\""},
+           {"solve -j 0", "--jobs: expected a whole number from 1 to 1024, found \"0\""},
+           {"solve --without -1", "--without: expected a whole number from 0 to 4294967295, found \"-1\""},
+           {"simulate --seed -1", "--seed: expected a whole number from 0 to 18446744073709551615, found \"-1\""},
+           {"simulate --seed 18446744073709551616", "--seed: expected a whole number from 0 to 18446744073709551615"},
+           {"links --up 1,0,2e6", "--up: expected a number from -1000000 to 1000000, found \"2e6\""},
+       }) {
+    EXPECT_THAT(complaint(arguments, 2), HasSubstr(says));
+  }
+}
+
+TEST_F(CliNumbers, AtTheEndsOfTheRangeAreTaken) {
+  EXPECT_EQ(
+      run("simulate --poses 2 --samples 1 --offset-sigma 0 --seed 18446744073709551615 -o a.session.json").exit_code,
+      0);
+  EXPECT_EQ(run("solve a.session.json -j 1024 --class-threshold 1000 -o a.calibration.json").exit_code, 0);
+  for (const std::string ends : {"--gap 100000 --surface-sigma 100000 --normal-sigma 360",
+                                 "--gap 0 --surface-sigma 0.001 --normal-sigma 0.001"}) {
+    // Where the patch is turned any way, a search with such figures takes minutes.
+    EXPECT_NE(run("place a.calibration.json --robot demo --link forearm --rotation 0,0,0 " + ends).exit_code, 2)
+        << ends;
+  }
+}
+
+TEST_F(CliNumbers, WithinATextAreRefusedToo) {
+  ASSERT_EQ(run("simulate --poses 3 -o a.session.json").exit_code, 0);
+  ASSERT_EQ(run("solve a.session.json -o a.calibration.json").exit_code, 0);
+  const std::string place = "place a.calibration.json --robot demo --link forearm ";
+  for (const auto& [arguments, option, range] : {
+           std::tuple<std::string, std::string, std::string>{
+               "export a.calibration.json --to urdf -o a.urdf --place l:VALUE,0,0,0,0,0", "--place", "1000000"},
+           {"export a.calibration.json --to urdf -o a.urdf --place l:0,0,0,0,VALUE,0", "--place", "1000000"},
+           {"simulate --robot demo -o b.session.json --mount forearm:0,VALUE,0", "--mount", "1000000"},
+           {"simulate --robot demo -o b.session.json --mount forearm:0,0,0,VALUE,0,0", "--mount", "1000000"},
+           {place + "--rotation 0,VALUE,0", "--rotation", "360"},
+           {place + "--rotation 0,0,0:VALUE", "--rotation", "360"},
+           {place + "--point 1:0,VALUE,0", "--point", "100"},
+           {place + "--point 1:0,0,0:VALUE", "--point", "100"},
+           {place + "--distance 1:2:VALUE", "--distance", "100"},
+           {place + "--distance 1:2:1:VALUE", "--distance", "100"},
+       }) {
+    for (const std::string value : {"nan", "inf", "1e300", "-1e300", ""}) {
+      std::string line = arguments;
+      line.replace(line.find("VALUE"), 5, value);
+      EXPECT_THAT(complaint(line, 2), AllOf(HasSubstr(option + ":"), HasSubstr("expected a number from "),
+                                            HasSubstr(" to " + range + ", found \"" + value + "\"")))
+          << line;
+    }
+  }
+  EXPECT_FALSE(exists("a.urdf"));
+  EXPECT_FALSE(exists("b.session.json"));
 }
 
 }  // namespace

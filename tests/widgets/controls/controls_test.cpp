@@ -1,0 +1,226 @@
+// Small controls, and how they lie.
+
+#include "tests/support/qt_wait.h"
+#include "widgets/controls/action_button.h"
+#include "widgets/controls/column_layout.h"
+#include "widgets/controls/elided_label.h"
+#include "widgets/controls/message_bar.h"
+#include "widgets/controls/notice_stack.h"
+#include "widgets/controls/selection.h"
+#include "widgets/controls/view_mark.h"
+
+#include <gtest/gtest.h>
+#include <QSignalSpy>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+TEST(ActionButton, ATextThatIsWiderThanItsPlaceStandsInSeveralLines) {
+  QAction action("Let the simulated robot take the poses");
+  ActionButton button;
+  button.setAction(&action);
+  const QSize whole = button.sizeHint();
+  button.setRoom(whole.width() * 2 / 3);
+  EXPECT_LE(button.sizeHint().width(), whole.width() * 2 / 3);
+  EXPECT_GT(button.sizeHint().height(), whole.height());
+  EXPECT_EQ(button.text(), action.text()) << "what it says is the same";
+  button.setRoom(whole.width());
+  EXPECT_EQ(button.sizeHint(), whole);
+}
+
+class ColumnLayoutTest : public testing::Test {
+ protected:
+  ColumnLayoutTest() {
+    auto* layout = new ColumnLayout(200, &widget_);
+    for (int k = 0; k < 6; ++k) {
+      parts_.push_back(new QWidget);
+      parts_.back()->setFixedHeight(100);
+      layout->addWidget(parts_.back());
+    }
+    layout->setContentsMargins(0, 0, 0, 0);
+    widget_.show();
+    EXPECT_TRUE(test::waitUntilExposed(widget_));
+  }
+  std::size_t columnsAt(int width) {
+    widget_.resize(width, 1000);
+    widget_.layout()->setGeometry(widget_.rect());
+    std::set<int> columns;
+    for (const QWidget* part : parts_) columns.insert(part->x());
+    return columns.size();
+  }
+
+  QWidget widget_;
+  std::vector<QWidget*> parts_;
+};
+
+TEST_F(ColumnLayoutTest, HasAsManyColumnsAsThereIsRoomForAndThreeAtMost) {
+  EXPECT_EQ(columnsAt(250), 1U);
+  EXPECT_EQ(columnsAt(500), 2U);
+  EXPECT_EQ(columnsAt(800), 3U);
+  EXPECT_EQ(columnsAt(3000), 3U);
+}
+
+TEST_F(ColumnLayoutTest, GoesDownOneColumnAndThenDownTheNext) {
+  ASSERT_EQ(columnsAt(500), 2U);
+  for (std::size_t k = 1; k < parts_.size(); ++k) {
+    if (parts_[k]->x() == parts_[k - 1]->x()) {
+      EXPECT_GT(parts_[k]->y(), parts_[k - 1]->geometry().bottom());
+    } else {
+      EXPECT_GT(parts_[k]->x(), parts_[k - 1]->geometry().right());
+    }
+  }
+  EXPECT_LT(widget_.layout()->heightForWidth(500), widget_.layout()->heightForWidth(250) * 2 / 3);
+}
+
+TEST_F(ColumnLayoutTest, WhatIsHiddenTakesNoRoom) {
+  const int all = widget_.layout()->heightForWidth(250);
+  parts_[2]->hide();
+  EXPECT_LE(widget_.layout()->heightForWidth(250), all - 100);
+}
+
+const QString kLong =
+    QStringLiteral("A sentence about a cell, its links and its poses that goes on and on. ").repeated(6);
+
+TEST(ElidedLabel, IsAsHighAndAsNarrowAsBeforeWhateverItSays) {
+  for (const int lines : {1, 2}) {
+    ElidedLabel label(lines);
+    label.resize(300, label.sizeHint().height());
+    label.setText("Short");
+    const int height = label.heightForWidth(300);
+    const QSize least = label.minimumSizeHint();
+    EXPECT_FALSE(label.isElided());
+    label.setText(kLong);
+    EXPECT_EQ(label.heightForWidth(300), height);
+    EXPECT_EQ(label.minimumSizeHint(), least);
+    EXPECT_TRUE(label.isElided());
+    EXPECT_EQ(label.text(), kLong) << "the whole is still there";
+  }
+}
+
+TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
+  const QString text = "Usable: so many millimetres at the worst cell";
+  ElidedLabel one(1);
+  ElidedLabel two(2);
+  for (ElidedLabel* label : {&one, &two}) {
+    label->setText(text);
+    label->resize(label->fontMetrics().horizontalAdvance(text) * 3 / 4, label->sizeHint().height());
+  }
+  EXPECT_TRUE(one.isElided());
+  EXPECT_FALSE(two.isElided());
+}
+
+TEST(NoticeStack, LiesOverTheContentAndMovesNothing) {
+  QWidget host;
+  auto* layout = new QVBoxLayout(&host);
+  auto* content = new QWidget;
+  layout->addWidget(content);
+  auto* notices = new NoticeStack(&host);
+  auto* message = new MessageBar;
+  auto* other = new MessageBar;
+  notices->add(other);
+  notices->add(message);
+  host.resize(700, 500);
+  host.show();
+  ASSERT_TRUE(test::waitUntilExposed(host));
+  const QRect before = content->geometry();
+  EXPECT_FALSE(notices->isVisible());
+
+  message->showMessage(Tone::Bad, QStringLiteral("Something went wrong with a file whose name is long. ").repeated(8));
+  EXPECT_TRUE(message->isVisible());
+  test::letTurnsPass();
+  EXPECT_EQ(content->geometry(), before);
+  EXPECT_EQ(host.size(), QSize(700, 500));
+  EXPECT_TRUE(host.rect().contains(notices->geometry()));
+  EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "the whole text is seen";
+  EXPECT_GT(notices->geometry().top(), host.height() / 3);
+
+  other->showMessage(Tone::Good, "Saved.");
+  test::letTurnsPass();
+  EXPECT_LT(other->geometry().bottom(), message->geometry().top()) << "one above the other";
+  EXPECT_TRUE(host.rect().contains(notices->geometry()));
+
+  host.resize(500, 400);
+  test::letTurnsPass();
+  EXPECT_TRUE(host.rect().contains(notices->geometry()));
+  message->hide();
+  other->hide();
+  EXPECT_FALSE(notices->isVisible());
+}
+
+TEST(Selection, WhatIsSoughtIsPickedFirst) {
+  Selection selection;
+  std::optional<CellId> picked_then;
+  QObject::connect(&selection, &Selection::sought, &selection, [&] { picked_then = selection.cell(); });
+  QSignalSpy changed(&selection, &Selection::changed);
+  selection.seekCell(CellId(7));
+  EXPECT_EQ(picked_then, CellId(7));
+  EXPECT_EQ(changed.count(), 1);
+  // It may have gone out of sight since.
+  picked_then.reset();
+  selection.seekCell(CellId(7));
+  EXPECT_EQ(picked_then, CellId(7));
+  EXPECT_EQ(changed.count(), 1);
+}
+
+TEST(Selection, PickingSeeksNothing) {
+  Selection selection;
+  QSignalSpy sought(&selection, &Selection::sought);
+  selection.selectCell(CellId(7));
+  selection.selectLink({CellId(2), PortNumber(1)}, {CellId(1), PortNumber(3)});
+  EXPECT_EQ(sought.count(), 0);
+  selection.seekLink({CellId(5), PortNumber(1)}, {CellId(4), PortNumber(3)});
+  EXPECT_EQ(sought.count(), 1);
+  EXPECT_EQ(selection.link()->first.cell, CellId(4)) << "the smaller first";
+}
+
+class ViewMarkTest : public testing::Test {
+ protected:
+  ViewMarkTest() : mark_(new ViewMark(&view_)) {
+    QPalette black;
+    black.setColor(QPalette::Window, Qt::black);
+    view_.setAutoFillBackground(true);
+    view_.setPalette(black);
+    view_.resize(400, 300);
+    view_.show();
+    EXPECT_TRUE(test::waitUntilExposed(view_));
+  }
+  QColor at(int x, int y) { return view_.grab().toImage().pixelColor(x, y); }
+
+  QWidget view_;
+  ViewMark* mark_;
+};
+
+TEST_F(ViewMarkTest, IsNotThereUntilSomethingIsMarked) {
+  EXPECT_FALSE(mark_->isVisible());
+  EXPECT_EQ(at(1, 150), QColor(Qt::black));
+}
+
+TEST_F(ViewMarkTest, AFrameIsSeenOnAllSidesAndTheMiddleIsFree) {
+  mark_->setContent(ViewMark::Content{Tone::Bad, "No readings", true, false});
+  ASSERT_TRUE(mark_->isVisible());
+  const QColor bad = toneColor(Tone::Bad, Theme::Light);
+  for (const QPoint& edge : {QPoint(1, 150), QPoint(398, 150), QPoint(200, 1), QPoint(200, 298)}) {
+    EXPECT_EQ(at(edge.x(), edge.y()), bad) << edge.x() << ", " << edge.y();
+  }
+  EXPECT_EQ(at(200, 200), QColor(Qt::black));
+  EXPECT_NE(at(200, 20), QColor(Qt::black)) << "the words stand on a plate";
+  EXPECT_EQ(mark_->accessibleName(), "No readings");
+  view_.resize(500, 200);
+  EXPECT_EQ(mark_->geometry(), view_.rect());
+}
+
+TEST_F(ViewMarkTest, AnOldPictureIsMutedAndGetsItsColoursBack) {
+  mark_->setContent(ViewMark::Content{Tone::Caution, "from before: 3 poses", false, true});
+  const QColor muted = at(200, 200);
+  EXPECT_NE(muted, QColor(Qt::black));
+  EXPECT_LT(muted.lightness(), 160) << "it is still seen";
+  EXPECT_EQ(at(1, 150), muted) << "no frame";
+  mark_->setContent(std::nullopt);
+  EXPECT_EQ(at(200, 200), QColor(Qt::black));
+}
+
+}  // namespace
+}  // namespace hexoderm
