@@ -1,5 +1,5 @@
 // Whatever a session holds, the window says the same of it everywhere: banner, steps, actions and report follow from
-// the one assessment. What that agrees with in core is checked by tests/core/reconstruction/agreement_test.cpp.
+// the one assessment. What that agrees with in core is checked by tests/core/solve/agreement_test.cpp.
 
 #include "app/window/report/report.h"
 #include "hexoderm/solve/metrics/assess.h"
