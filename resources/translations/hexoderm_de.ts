@@ -3747,6 +3747,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>eine Zelle dieser Kalibrierung</translation>
     </message>
     <message>
+        <source>at least one cell</source>
+        <translation>mindestens eine Zelle</translation>
+    </message>
+    <message>
         <source>cells of this patch, from its origin to this cell</source>
         <translation>Zellen dieses Hautstücks, von seinem Ursprung bis zu dieser Zelle</translation>
     </message>

@@ -329,6 +329,7 @@ void requireReferences(Reconstruction& result, const Refuse& refuse) {
   for (std::size_t p = 0; p < result.patches.size(); ++p) {
     const PatchReconstruction& patch = result.patches[p];
     if (!patch_ids.insert(patch.id).second) refuse({p, nullptr, 0, "id"}, message("each patch once"));
+    if (patch.cells.empty()) refuse({p, nullptr, 0, "cells"}, message("at least one cell"));
     for (std::size_t k = 0; k < patch.cells.size(); ++k) {
       const bool is_new = patch_of.try_emplace(patch.cells[k].cell, patch.id).second;
       if (!is_new) refuse({p, "cells", k, "id"}, message("each cell once"));
