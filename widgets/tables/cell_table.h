@@ -77,11 +77,11 @@ class CellTableModel : public ReconstructionTable {
 
   [[nodiscard]] CellId cellAt(int row) const { return rows_.at(static_cast<std::size_t>(row)).summary.cell; }
 
+  /// -1 if there is none.
   [[nodiscard]] int rowOf(CellId cell) const {
     const auto found = row_of_.find(cell);
     return found == row_of_.end() ? -1 : found->second;
   }
-  ///< -1 if there is none
 
  protected:
   [[nodiscard]] int rows() const override { return static_cast<int>(rows_.size()); }

@@ -99,6 +99,7 @@ void showKeysDialog(QWidget* parent, const QMenuBar& menus) {
   list->setItemsExpandable(false);
   list->setFrameShape(QFrame::NoFrame);
   list->setSelectionMode(QAbstractItemView::NoSelection);
+  list->setWordWrap(true);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   QFont bold = dialog->font();
   bold.setWeight(QFont::DemiBold);

@@ -1,6 +1,6 @@
 #include "hexoderm/base/hex.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace hexoderm {
 

@@ -23,7 +23,7 @@ constexpr double kConfirm_s = 0.1;
 // Means of 100 ms in one hold differ by less, with default tremor: 3 sigma are 2.5 degrees.
 constexpr double kMovedMeanwhile = 3 * kDegree;
 constexpr double kClockReset_s = 0.5;  // back in time, not a gap
-constexpr double kJointsKept_s = 20;  // no capture takes longer
+constexpr double kJointsKept_s = 20;   // no capture takes longer
 constexpr double kJointsLast_s = 1;
 constexpr std::size_t kMaxJointReports = 100'000;
 

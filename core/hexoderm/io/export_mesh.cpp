@@ -7,7 +7,7 @@
 #include "hexoderm/solve/metrics/patch_mesh.h"
 #include "hexoderm/solve/result/quality_colors.h"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <bit>
 #include <iterator>

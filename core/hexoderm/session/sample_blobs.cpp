@@ -24,9 +24,10 @@ constexpr std::uint32_t kHasTemperature = 1;
 constexpr std::uint32_t kSameCells = 1U << 31U;
 constexpr int kMaxSteps = std::numeric_limits<std::int16_t>::max();
 
-/// Numbers one after another, as they stand in memory.
+/// Numbers one after another, as they stand in memory; quickest within the room that is made for them beforehand.
 class Writer {
  public:
+  explicit Writer(std::size_t bytes) { bytes_.reserve(bytes); }
   template <class T>
   void put(T value) {
     const auto* const first = reinterpret_cast<const std::uint8_t*>(&value);
@@ -187,9 +188,18 @@ void putHead(const SampleFrame& frame, bool without_cells, Writer& out) {
   out.put(countOf(frame.temperatures.size()));
 }
 
+/// As many bytes as the frames take at most, with numbers of eight bytes.
+std::size_t roomFor(std::span<const SampleFrame> frames) {
+  std::size_t bytes = 16;
+  for (const SampleFrame& frame : frames) {
+    bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
+  }
+  return bytes;
+}
+
 /// Nothing if a reading is no whole number of steps.
 std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double step) {
-  Writer out;
+  Writer out(roomFor(frames));
   out.put(std::uint32_t{2});
   out.put(countOf(frames.size()));
   out.put(step);
@@ -224,7 +234,7 @@ std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double ste
 }  // namespace
 
 Bytes encodeSamples(std::span<const GravitySample> samples) {
-  Writer out;
+  Writer out(samples.size() * kSampleBytes);
   for (const GravitySample& sample : samples) {
     requireStorable(sample);
     out.put(sample.cell.value());
@@ -280,7 +290,7 @@ Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g) {
   if (lsb_g > 0) {
     if (std::optional<Bytes> bytes = encodeSteps(frames, lsb_g)) return std::move(*bytes);
   }
-  Writer out;
+  Writer out(roomFor(frames));
   const auto put = [&](double value) { is_short ? out.put(static_cast<float>(value)) : out.put(value); };
   out.put(is_short ? 4U : 8U);
   out.put(countOf(frames.size()));

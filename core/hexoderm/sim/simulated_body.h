@@ -66,7 +66,6 @@ class SimulatedBody {
   void requireCell(CellId cell) const;
 
  protected:
-
   /// Of length 1. Throws InvalidArgument for what is no direction.
   static Eigen::Vector3d unitUp(const Eigen::Vector3d& up);
 };

@@ -1,7 +1,6 @@
 // Where the program's input comes from and where its output goes: pipes, links, devices, and files that nobody should
 // trust.
 
-
 #include "tests/app/cli/cli_program.h"
 
 namespace hexoderm {

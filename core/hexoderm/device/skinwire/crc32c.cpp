@@ -29,6 +29,7 @@ __attribute__((target("sse4.2"))) std::uint32_t crc32cByInstruction(std::span<co
 
 }  // namespace
 
+// A third as fast as eight tables would be, and used only where the processor has no instruction.
 std::uint32_t crc32cByTable(std::span<const std::uint8_t> bytes) {
   boost::crc_optimal<32, 0x1EDC6F41, 0xFFFFFFFF, 0xFFFFFFFF, true, true> crc;
   crc.process_bytes(bytes.data(), bytes.size());

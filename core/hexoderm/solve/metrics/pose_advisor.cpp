@@ -1,4 +1,3 @@
-
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
 
