@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 #include <utility>
 
@@ -12,8 +13,9 @@ Options with(Options options) {
 
 /// Options with some of them changed: `with(options, &SolverOptions::solver, Solver::Tree, &SolverOptions::weights,
 /// ...)`.
-template <class Options, class Value, class... Others>
-Options with(Options options, Value Options::*option, std::type_identity_t<Value> value, Others... others) {
+template <class Options, class Owner, class Value, class... Others>
+requires std::derived_from<Options, Owner> Options with(Options options, Value Owner::*option,
+                                                        std::type_identity_t<Value> value, Others... others) {
   options.*option = std::move(value);
   return with(std::move(options), std::move(others)...);
 }

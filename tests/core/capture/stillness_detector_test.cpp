@@ -75,7 +75,8 @@ TEST(StillnessDetector, TakesReadingsThatNeverChangeForStill) {
 
 TEST(StillnessDetector, AcceptsTheTremorOfTheSimulatedHand) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    SimulatedSkin skin(builtInCellModel("hex-bma150"), test::with(&SimulatedSkinOptions::seed, seed));
+    SimulatedSkin skin(builtInCellModel("hex-bma150"),
+                       test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::seed, seed));
     skin.record({0, 0, 1}, 1);  // the first stands on a table
     StillnessDetector detector(skin.model().accelerometer);
     EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 4000)), 0.95) << "seed " << seed;
@@ -85,7 +86,8 @@ TEST(StillnessDetector, AcceptsTheTremorOfTheSimulatedHand) {
 
 TEST(StillnessDetector, AcceptsItOnAPartWhoseEndsAreFarFromTheHand) {
   // 0.8 m long: 100 mg at its ends
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), test::with(&SimulatedSkinOptions::patch, "sheet:3x30"));
+  SimulatedSkin skin(builtInCellModel("hex-bma150"),
+                     test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::patch, "sheet:3x30"));
   skin.record({0, 0, 1}, 1);
   StillnessDetector detector(skin.model().accelerometer);
   EXPECT_GE(stillShare(detector, skin.record({0, 1, 0}, 3000)), 0.95) << detector.stillness().message.english();

@@ -29,7 +29,7 @@ SimulatedSkin ideal(const std::string& patch, const std::vector<LinkFault>& faul
 
 /// An X17 with all of its other errors.
 SimulatedSkin realX17(const std::vector<LinkFault>& faults = {}, std::uint64_t seed = 1) {
-  return {kModel, with(&Skin::link_faults, faults, &Skin::seed, seed)};
+  return {kModel, with(Skin(), &Skin::link_faults, faults, &Skin::seed, seed)};
 }
 
 const SE3& placement(const SimulatedSkin& skin, unsigned id) { return skin.truth().at(id - 1).T_b_u; }
@@ -305,7 +305,7 @@ TEST(SimulatedWrongPort, IsNotDrawnWhereTheModelForbidsThePair) {
   CellModel model = kModel;
   model.forbidden_port_pairs = {{PortNumber(2), PortNumber(4)}};
   for (unsigned seed = 1; seed <= 10; ++seed) {
-    const Skin options = with(&Skin::link_faults, {fault(LinkFaultKind::WrongPort, 3, 1)}, &Skin::seed, seed);
+    const Skin options = with(Skin(), &Skin::link_faults, {fault(LinkFaultKind::WrongPort, 3, 1)}, &Skin::seed, seed);
     EXPECT_NE(reportAt(SimulatedSkin(model, options), 3, 3), nullptr);
   }
 }

@@ -19,7 +19,7 @@ namespace {
 const double kWhite_g = kModel.accelerometer.noise_g_per_sqrt_hz * std::sqrt(500.0);
 
 SimulatedSkinOptions withFault(SkinFault kind, unsigned cell) {
-  return test::with(&SimulatedSkinOptions::faults, {{kind, CellId(cell)}});
+  return test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::faults, {{kind, CellId(cell)}});
 }
 
 /// All readings of one cell, in the order of the frames.
@@ -83,7 +83,7 @@ TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
 }
 
 TEST(SimulatedReadings, SensorErrorsHaveTheModelsSpread) {
-  const SimulatedSkin skin(kModel, test::with(&SimulatedSkinOptions::patch, "sheet:50x40"));
+  const SimulatedSkin skin(kModel, test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::patch, "sheet:50x40"));
   double offset = 0;
   double scale = 0;
   double cross = 0;
