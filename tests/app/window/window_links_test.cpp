@@ -68,7 +68,7 @@ TEST_F(WindowLinksTest, ACalibrationSaysWhyItsLinksStayAsTheyAre) {
 
 TEST_F(WindowLinksTest, ThePictureOfTheGraphIsWritten) {
   ASSERT_NO_FATAL_FAILURE(openSession("arm.hexo", simulated(1)));
-  for (const QString& name : {"graph.svg", "graph.png"}) {
+  for (const char* const name : {"graph.svg", "graph.png"}) {
     emit graph()->pictureWanted();
     ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("saveDialog", pathTo(name)));
     ASSERT_TRUE(waitForMessage("Exported to " + pathTo(name)));
