@@ -59,9 +59,9 @@ auto nth(Values& values, std::size_t n) {
   return *place;
 }
 
-/// The lower one of two.
+/// Of an even number the lower one of two. Orders the values otherwise.
 template <class Values>
-auto median(Values& values) {
+auto lowerMedian(Values& values) {
   return nth(values, (values.size() - 1) / 2);
 }
 
@@ -229,7 +229,7 @@ struct StillnessDetector::State {
     }
     if (scratch.empty()) return false;
     const double weight = slots.slotLength_s() / window_s * std::sqrt(static_cast<double>(scratch.size()));
-    const double seen = std::clamp(static_cast<double>(median(scratch)), kMinColour, kMaxColour);
+    const double seen = std::clamp(static_cast<double>(lowerMedian(scratch)), kMinColour, kMaxColour);
     colour += std::min(0.5, weight) * (seen - colour);
     return true;
   }
@@ -292,7 +292,7 @@ struct StillnessDetector::State {
   double medianOf(Value&& value) {
     scratch.clear();
     for (const std::size_t k : used) scratch.push_back(static_cast<float>(value(cells[k])));
-    return static_cast<double>(median(scratch));
+    return static_cast<double>(lowerMedian(scratch));
   }
 
   /// Variance of the slope of a cell's reading along one axis that its noise makes. It comes from how the readings lie
@@ -433,7 +433,7 @@ struct StillnessDetector::State {
       if (now_g) scratch.push_back(static_cast<float>(angleBetweenReadings(*now_g, cell.captured_g.cast<double>())));
     }
     if (scratch.empty()) return;
-    result.moved_rad = static_cast<double>(median(scratch));
+    result.moved_rad = static_cast<double>(lowerMedian(scratch));
     if (result.moved_rad > options.rearm_angle_rad) result.armed = true;
   }
 
@@ -528,7 +528,7 @@ double StillnessDetector::angleFrom(const PoseCapture& pose) const {
     const auto now_g = state_->recentForMove_g(k);
     if (now_g) angles.push_back(angleBetweenReadings(*now_g, sample.mean_g));
   }
-  return angles.empty() ? 0 : median(angles);
+  return angles.empty() ? 0 : lowerMedian(angles);
 }
 
 double StillnessDetector::noiseFloor_g(CellId cell) const {

@@ -151,8 +151,6 @@ std::vector<Comparison> compareAll(const Reconstruction& reconstruction, const R
   return comparisons;
 }
 
-Message endText(LinkEnd end) { return message("cell {} port {}", end.cell, end.port); }
-
 }  // namespace
 
 SurfaceKind surfaceKindFromName(std::string_view name) {
@@ -231,7 +229,7 @@ LoopEvaluation evaluateLoop(const Reconstruction& reconstruction, LinkEnd first,
     }
     for (const LinkEstimate& link : found.patch->links) {
       if (link.used && (link.source == end || link.target == end)) {
-        throw InvalidArgument(message("loop: {} is joined to a neighbour, expected a free port", endText(end)));
+        throw InvalidArgument(message("loop: {} is joined to a neighbour, expected a free port", inWords(end)));
       }
     }
     return found;
