@@ -210,7 +210,8 @@ class CliParts : public Cli {
   }
   /// Of a cell on its link.
   [[nodiscard]] Eigen::Matrix3d trueRotation(int id) const {
-    for (const auto& patch : nlohmann::json::parse(readFile(path("arm.truth.json"))).at("patches")) {
+    const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
+    for (const auto& patch : truth.at("patches")) {
       for (const auto& cell : patch.at("cells")) {
         if (cell.at("id") == id) return matrixOf(cell.at("R"));
       }
