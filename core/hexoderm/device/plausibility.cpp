@@ -59,6 +59,17 @@ std::optional<ProtocolViolation> offenceOfRate(double step_us, double stated_hz)
                             stated, measured))};
 }
 
+/// A cell's samples as a still part has them: their range, noise included, is small beside what they are. Means are of
+/// still parts.
+bool areStill(const std::map<CellId, Eigen::AlignedBox3d>& samples_g, double norm_g) {
+  constexpr double kSmall_g = 0.3;
+  constexpr double kShare = 0.3;
+  if (samples_g.empty()) return true;
+  std::vector<double> ranges_g;
+  for (const auto& [cell, range] : samples_g) ranges_g.push_back(range.sizes().maxCoeff());
+  return median(std::move(ranges_g)) <= std::max(kSmall_g, kShare * norm_g);
+}
+
 }  // namespace
 
 std::optional<ProtocolViolation> offenceOfNorm(double median_norm, const Accelerometer& accelerometer,
@@ -102,6 +113,7 @@ std::optional<ProtocolViolation> ReadingCheck::add(const SampleFrame& frame, con
   for (const CellSample& sample : frame.samples) {
     if (norms_g_.size() >= (looked_at_ + 1) * kMaxCells) break;
     norms_g_.push_back(sample.acceleration_g.norm());
+    samples_g_[sample.cell].extend(sample.acceleration_g);
   }
   for (const CellMean& mean : frame.means) {
     if (norms_g_.size() >= (looked_at_ + 1) * kMaxCells) break;
@@ -109,8 +121,11 @@ std::optional<ProtocolViolation> ReadingCheck::add(const SampleFrame& frame, con
   }
   if (++looked_at_ < kFirst || norms_g_.empty()) return std::nullopt;
   std::optional<ProtocolViolation> offence = offenceOfNorm(median(norms_g_), accelerometer, field);
+  const bool still = areStill(samples_g_, median(norms_g_));
   norms_g_.clear();
+  samples_g_.clear();
   looked_at_ = 0;
+  if (offence && offence->kind == ProtocolViolationKind::NotGravity && !still) return std::nullopt;
   const bool no_gravity = offence && offence->kind == ProtocolViolationKind::NotGravity;
   in_row_ = no_gravity ? in_row_ + 1 : 0;
   if (no_gravity && in_row_ < kJudgements) return std::nullopt;

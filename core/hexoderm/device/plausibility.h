@@ -4,8 +4,10 @@
 #include "hexoderm/device/sample_frame.h"
 #include "hexoderm/skin/cell_model.h"
 
+#include <Eigen/Geometry>
 #include <chrono>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -17,7 +19,8 @@ namespace hexoderm {
 std::optional<ProtocolViolation> offenceOfNorm(double median_norm, const Accelerometer& accelerometer,
                                                const char* field);
 
-/// Judges the norms of the readings that come, of up to 64 cells of every fourth frame.
+/// Judges the norms of the readings that come, of up to 64 cells of every fourth frame. That they are no gravity counts
+/// only where the part is still: whoever swings it adds a force of any size.
 class ReadingCheck {
  public:
   void restart();
@@ -29,6 +32,7 @@ class ReadingCheck {
   std::uint32_t looked_at_ = 0;  ///< frames in norms_g_
   std::uint32_t in_row_ = 0;     ///< judgements that found no gravity
   std::vector<double> norms_g_;
+  std::map<CellId, Eigen::AlignedBox3d> samples_g_;  ///< of each cell
 };
 
 /// Compares a device's clock with the rate that it states and with the host's clock: a step that is a thousand times

@@ -42,6 +42,14 @@ TEST(ReadingCheck, IsSoonAboutUnitsAndPatientAboutShocks) {
   EXPECT_GT(frames, 100);
 }
 
+TEST(ReadingCheck, APartThatIsWhirledIsNoOffence) {
+  ReadingCheck check;
+  for (int k = 0; k < 5000; ++k) {
+    const Eigen::Vector3d gravity_g = Eigen::AngleAxisd(0.1 * k, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d::UnitX();
+    EXPECT_FALSE(check.add({0, {{CellId(1), Eigen::Vector3d(3, 0, 0) + gravity_g}}}, kSensor, "f")) << k;
+  }
+}
+
 std::optional<ProtocolViolation> addEvery(std::uint64_t step_us, double stated_hz, double sensor_hz = 1000) {
   ClockCheck check;
   for (std::uint64_t k = 0; k < 50; ++k) {

@@ -77,6 +77,19 @@ TEST(Garbage, ReadingsOfAnIdealFlatSkinAreTheSameAndNoFault) {
   EXPECT_THAT(namedCells(*reconstruct(*test::simulatedSession(options, 3).snapshot())), ::testing::IsEmpty());
 }
 
+TEST(Garbage, MeansOfEightBitsMayBeTheSame) {
+  constexpr double kStep_g = 4.0 / 256;
+  constexpr std::uint64_t kSkins = 50;
+  for (std::uint64_t seed = 1; seed <= kSkins; ++seed) {
+    const Session fine = test::simulatedSession(test::skinOptions("sheet:5x5", {}, seed), 4);
+    const Session coarse = changed(fine, [&](std::size_t /*pose*/, GravitySample& sample) {
+      sample.mean_g = kStep_g * (sample.mean_g / kStep_g).array().round();
+    });
+    EXPECT_THAT(*reconstruct(*coarse.snapshot()), ::testing::Not(HasFinding(FindingCode::IdenticalReadings)))
+        << "seed " << seed;
+  }
+}
+
 TEST(Garbage, SwappedNeighboursAreNamed) {
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     for (const std::size_t poses : {2U, 3U, 6U}) {

@@ -23,6 +23,28 @@ constexpr double kNoisyTimesOthers = 4;
 constexpr double kMovingSigma_g =
     0.25;  // tremor is 10 mg, at the end of an arm's length 100 mg; a moving part far above
 
+/// The step of the grid that all of the values lie on, as far as they show one: their neighbours are whole multiples of
+/// the smallest difference apart. 0 if they show none.
+double stepOfGrid(std::vector<double> values) {
+  constexpr std::size_t kFewest = 12;  // differences
+  constexpr double kEqual = 1e-9;
+  constexpr double kFarthest = 20;  // steps: the values of a grid are closer than that, but for a few
+  constexpr double kOff = 0.05;     // of a step: decimals that a file leaves out
+  constexpr double kMostBeside = 0.1;
+  std::ranges::sort(values);
+  std::vector<double> differences;
+  for (std::size_t k = 1; k < values.size(); ++k) {
+    if (values[k] - values[k - 1] > kEqual) differences.push_back(values[k] - values[k - 1]);
+  }
+  if (differences.size() < kFewest) return 0;
+  const double step = std::ranges::min(differences);
+  const auto beside = std::ranges::count_if(differences, [&](double difference) {
+    const double steps = difference / step;
+    return steps > kFarthest || std::abs(steps - std::round(steps)) > kOff * std::round(steps);
+  });
+  return static_cast<double>(beside) <= kMostBeside * static_cast<double>(differences.size()) ? step : 0;
+}
+
 class Judge {
  public:
   Judge(const SessionSnapshot& snapshot, const SkinGraph& graph, GravityTable& table, std::vector<Finding>& findings)
@@ -96,6 +118,7 @@ class Judge {
   /// Cells that share all digits in a pose are repeated by whoever delivers them, and nobody knows whose they are.
   void findIdentical() {
     constexpr double kByChance = 1e-4;
+    grid_step_g_ = stepOfMeans();
     std::map<std::vector<std::size_t>, std::vector<std::size_t>> poses_of;  // per group of cells
     for (const std::size_t pose : table_.enabledPoses()) {
       for (const std::vector<std::size_t>& cells : cellsThatReadAlike(pose)) poses_of[cells].push_back(pose);
@@ -147,16 +170,31 @@ class Judge {
     return chance;
   }
 
+  /// Means may be rounded more coarsely than the data sheet says, on their way here or by the chip. All axes' steps are
+  /// the same.
+  [[nodiscard]] double stepOfMeans() const {
+    const Eigen::Matrix3d R_a_u = snapshot_.model->accelerometer.T_u_a.R.transpose();
+    std::vector<double> values;
+    for (const std::size_t pose : table_.enabledPoses()) {
+      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+        if (!table_.at(cell, pose).measured) continue;
+        const Eigen::Vector3d y_g = R_a_u * table_.at(cell, pose).mean_g;
+        values.insert(values.end(), y_g.begin(), y_g.end());
+      }
+    }
+    return stepOfGrid(std::move(values));
+  }
+
   /// The step between two readings that can be told apart. None where nothing says that the readings are a real
   /// sensor's: those of an ideal one, without noise and steps, may well be the same.
   [[nodiscard]] std::optional<double> resolution(std::size_t cell, std::size_t pose) const {
     const double lsb_g = snapshot_.model->accelerometer.lsb_g;
     const GravityTable::Entry& entry = table_.at(cell, pose);
-    if (entry.sample_sigma_g > 0) return lsb_g / entry.count;
+    if (entry.sample_sigma_g > 0) return std::max(lsb_g / entry.count, grid_step_g_);
     constexpr double kWhole = 1e-6;
     const Eigen::Vector3d steps = snapshot_.model->accelerometer.T_u_a.R.transpose() * entry.mean_g / lsb_g;
     const bool is_one_sample = lsb_g > 0 && (steps - steps.array().round().matrix()).cwiseAbs().maxCoeff() < kWhole;
-    return is_one_sample ? std::optional(lsb_g) : std::nullopt;
+    return is_one_sample ? std::optional(std::max(lsb_g, grid_step_g_)) : std::nullopt;
   }
 
   void describeIdentical(const std::vector<std::size_t>& cells, const std::vector<std::size_t>& poses) {
@@ -382,6 +420,7 @@ class Judge {
   const SkinGraph& graph_;
   GravityTable& table_;
   std::vector<Finding>& findings_;
+  double grid_step_g_ = 0;  ///< of the means; 0: none to be seen
 };
 
 }  // namespace
