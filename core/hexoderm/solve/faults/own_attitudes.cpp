@@ -1,13 +1,17 @@
 #include "hexoderm/solve/faults/own_attitudes.h"
 
+#include "hexoderm/base/lane_numbers.h"
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/units.h"
+#include "hexoderm/base/vector_instructions.h"
+#include "hexoderm/solve/global/attitude_kernel.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace hexoderm {
@@ -128,6 +132,82 @@ void unpack(const Eigen::VectorXd& all, std::span<PatchForce> forces) {
   }
 }
 
+/// The readings of kLanes cells side by side in each batch, and the attitudes that were found last, as the kernel takes
+/// them.
+class OwnAttitudeBatches {
+ public:
+  OwnAttitudeBatches(const AccelerometerPrior& prior, std::size_t poses, std::size_t cells)
+      : kernel_(attitudeKernelOptions(prior)),
+        poses_(poses),
+        batches_((cells + kLanes - 1) / kLanes),
+        y_g_(3 * kLanes * poses * batches_, 0),
+        precision_(kLanes * poses * batches_, 0),
+        R_(9 * kLanes * batches_, 0) {}
+
+  [[nodiscard]] std::size_t count() const { return batches_; }
+
+  void put(std::size_t cell, std::span<const CellReading> readings, const Eigen::Matrix3d& R_start) {
+    for (const CellReading& reading : readings) {
+      precision_[kLanes * (poses_ * (cell / kLanes) + reading.pose) + cell % kLanes] = 1 / reading.variance_g2;
+      vectorOfLane(&y_g_[3 * kLanes * (poses_ * (cell / kLanes) + reading.pose)], cell % kLanes) = reading.y_g;
+    }
+    start(cell, R_start);
+  }
+  /// Where the next search begins.
+  void start(std::size_t cell, const Eigen::Matrix3d& R) {
+    matrixOfLane(&R_[9 * kLanes * (cell / kLanes)], cell % kLanes) = R;
+  }
+  [[nodiscard]] Eigen::Matrix3d startOf(std::size_t cell) const {
+    return matrixOfLane(&R_[9 * kLanes * (cell / kLanes)], cell % kLanes);
+  }
+
+  /// One batch at a time.
+  class Search {
+   public:
+    Search(OwnAttitudeBatches& batches, int most_steps)
+        : batches_(batches), kernel_(batches.kernel_), f_o_(3 * kLanes * batches.poses_, 0) {
+      kernel_.most_steps = most_steps;
+    }
+
+    /// `placements` of all cells.
+    void run(std::size_t batch, std::span<const PatchForce> forces, std::span<const SE3> placements) {
+      for (std::size_t lane = 0; lane < kLanes; ++lane) {
+        const std::size_t cell = std::min(kLanes * batch + lane, placements.size() - 1);
+        for (std::size_t pose = 0; pose < forces.size(); ++pose) {
+          vectorOfLane(&f_o_[3 * kLanes * pose], lane) =
+              forces[pose].at_origin_o + forces[pose].swing_o.cross(placements[cell].t);
+        }
+      }
+      const std::size_t first = kLanes * batch;  // cell
+      const OwnAttitudeKernelInput in{
+          static_cast<int>(batches_.poses_), f_o_.data(), batches_.y_g_.data() + 3 * batches_.poses_ * first,
+          batches_.precision_.data() + batches_.poses_ * first, batches_.R_.data() + 9 * first};
+      (hasVectorInstructions() ? findAttitudesByFour : findAttitudesByTwo)(kernel_, in, out_);
+    }
+
+    /// Nothing for a cell that needs a more careful look.
+    [[nodiscard]] std::optional<OwnAttitude> found(std::size_t lane) const {
+      if (out_.usual[lane] == 0) return std::nullopt;
+      return OwnAttitude{matrixOfLane(out_.R, lane), symmetricOfLane(out_.information, lane),
+                         vectorOfLane(out_.offset_g, lane), matrixOfLane(out_.gain, lane)};
+    }
+
+   private:
+    const OwnAttitudeBatches& batches_;
+    AttitudeKernelOptions kernel_;
+    std::vector<double> f_o_;
+    OwnAttitudeKernelOutput out_{};
+  };
+
+ private:
+  AttitudeKernelOptions kernel_;
+  std::size_t poses_;
+  std::size_t batches_;
+  std::vector<double> y_g_;
+  std::vector<double> precision_;
+  std::vector<double> R_;
+};
+
 class Finder {
  public:
   Finder(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
@@ -137,7 +217,7 @@ class Finder {
         forces_(std::move(forces)),
         placements_(placements),
         own_(cells.size()),
-        start_(cells.size()) {
+        batches_(prior_, forces_.size(), cells.size()) {
     for (std::size_t place = 0; place < cells.size(); ++place) {
       OwnCell& own = own_[place];
       own.R_o_u = placements[place].R;
@@ -147,7 +227,7 @@ class Finder {
       }
       own.f_o.resize(own.readings.size());
       own.known = !own.readings.empty();
-      start_[place] = own.R_o_u * R_u_a_;
+      batches_.put(place, own.readings, own.R_o_u * R_u_a_);
     }
   }
 
@@ -172,24 +252,32 @@ class Finder {
       own.covariance = own.information.inverse();
       own.offset_g = found.offset_g;
       own.gain = found.gain;
+      findForcesOn(place);
     });
     return {std::move(own_), std::move(forces_)};
   }
 
  private:
-  static constexpr std::size_t kCellsAtOnce = 128;
+  static constexpr std::size_t kBatchesAtOnce = 32;
 
   /// Calls take(range, place, attitude) for every cell that has readings.
   template <class Take>
   void findAttitudes(int most_steps, const Take& take) {
-    inRanges(own_.size(), kCellsAtOnce, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t place = begin; place < end; ++place) {
-        if (!own_[place].known) continue;
-        findForcesOn(place);
-        const OwnAttitude found =
-            findAttitude(prior_, own_[place].readings, own_[place].f_o, start_[place], most_steps);
-        start_[place] = found.R;
-        take(begin / kCellsAtOnce, place, found);
+    inRanges(batches_.count(), kBatchesAtOnce, [&](std::size_t begin, std::size_t end) {
+      OwnAttitudeBatches::Search search(batches_, most_steps);
+      for (std::size_t batch = begin; batch < end; ++batch) {
+        search.run(batch, forces_, placements_);
+        const std::size_t first = kLanes * batch;
+        for (std::size_t place = first; place < std::min(first + kLanes, own_.size()); ++place) {
+          if (!own_[place].known) continue;
+          std::optional<OwnAttitude> found = search.found(place - first);
+          if (!found) {
+            findForcesOn(place);
+            found = findAttitude(prior_, own_[place].readings, own_[place].f_o, batches_.startOf(place), most_steps);
+          }
+          batches_.start(place, found->R);
+          take(begin / kBatchesAtOnce, place, *found);
+        }
       }
     });
   }
@@ -206,7 +294,7 @@ class Finder {
   bool refineForces(int most_steps) {
     constexpr double kSettled_g = 3e-4;                // far below what any attitude is known to
     using Fits = std::vector<AngularAccelerationFit>;  // per force
-    std::vector<Fits> of_ranges((own_.size() + kCellsAtOnce - 1) / kCellsAtOnce, Fits(forces_.size()));
+    std::vector<Fits> of_ranges((batches_.count() + kBatchesAtOnce - 1) / kBatchesAtOnce, Fits(forces_.size()));
     findAttitudes(most_steps, [&](std::size_t range, std::size_t place, const OwnAttitude& found) {
       const Eigen::Matrix3d freed = found.R * found.gain.inverse();
       for (const CellReading& reading : own_[place].readings) {
@@ -228,7 +316,7 @@ class Finder {
   std::vector<PatchForce> forces_;
   std::span<const SE3> placements_;
   std::vector<OwnCell> own_;
-  std::vector<Eigen::Matrix3d> start_;  // of the next search, per cell, accelerometer to patch
+  OwnAttitudeBatches batches_;
 };
 
 }  // namespace

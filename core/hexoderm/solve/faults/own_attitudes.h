@@ -42,7 +42,7 @@ struct OwnAttitudes {
 };
 
 /// The attitude of every cell in `cells` (of the graph) at which its readings are most probable, errors of its sensor
-/// granted (findAttitude()). `placements`: per cell, where it lies and where the search starts.
+/// granted (findAttitude(), several at a time). `placements`: per cell, where it lies and where the search starts.
 /// `forces_are_rough`: they are of sensors as they read, held still. Then each pose's force, and how a hand swings the
 /// part meanwhile, are found in turn with the attitudes: far from the middle cells read another force than near it.
 OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,

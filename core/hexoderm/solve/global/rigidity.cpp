@@ -187,6 +187,16 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
   return own;
 }
 
+AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior) {
+  AttitudeKernelOptions options{};
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
+  }
+  options.min_information = kMinInformation;
+  options.most_steps = kMaxAttitudeSteps;
+  return options;
+}
+
 Misfit testRigidity(const AccelerometerPrior& prior, const ReadingSums& sums) {
   Misfit misfit;
   if (sums.readings < 2) return misfit;

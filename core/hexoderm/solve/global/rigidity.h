@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/solve/global/accelerometer_fit.h"
+#include "hexoderm/solve/global/attitude_kernel.h"
 
 #include <span>
 
@@ -79,6 +80,9 @@ inline constexpr int kMaxAttitudeSteps = 15;  ///< of Gauss-Newton, of findAttit
 OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                          std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start,
                          int most_steps = kMaxAttitudeSteps);
+
+/// findAttitude() for the kernel, with at most kMaxAttitudeSteps.
+AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior);
 
 /// The information, rad^-2 in the accelerometer's axes, that readings of the specific forces `v_g` (accelerometer
 /// axes), each as uncertain as `readings` has it, hold about a small turn of a cell whose offset, gains and cross-axis
