@@ -118,11 +118,11 @@ class Judge {
   /// Cells that share all digits in a pose are repeated by whoever delivers them, and nobody knows whose they are.
   void findIdentical() {
     constexpr double kByChance = 1e-4;
-    grid_step_g_ = stepOfMeans();
     std::map<std::vector<std::size_t>, std::vector<std::size_t>> poses_of;  // per group of cells
     for (const std::size_t pose : table_.enabledPoses()) {
       for (const std::vector<std::size_t>& cells : cellsThatReadAlike(pose)) poses_of[cells].push_back(pose);
     }
+    if (!poses_of.empty()) grid_step_g_ = stepOfMeans();
     for (const auto& [cells, poses] : poses_of) {
       if (chanceOfSameReadings(cells.front(), poses) < kByChance) describeIdentical(cells, poses);
     }
