@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: which file a path or a descriptor is, files that SQLite may have open in this process, and how they
+// Which file a path or a descriptor is, files that SQLite may have open in this process, and how they
 // are looked at.
 
 #include <sys/types.h>

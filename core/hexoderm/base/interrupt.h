@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to Hexoderm: for its programs, not for programs that use the library.
+// For its programs, not for programs that use the library.
 
 namespace hexoderm {
 

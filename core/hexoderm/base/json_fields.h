@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: the members of an object, described once for what writes them (JsonWriter) and for what reads them
+// The members of an object, described once for what writes them (JsonWriter) and for what reads them
 // (JsonReader, JsonScanner).
 
 #include "hexoderm/base/json_reader.h"

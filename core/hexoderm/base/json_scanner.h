@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: the quick way through large JSON files.
+// The quick way through large JSON files.
 
 #include "hexoderm/base/message.h"
 

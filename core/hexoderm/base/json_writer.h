@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: JSON on its way to a file, without a document of it in memory.
+// JSON on its way to a file, without a document of it in memory.
 
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/ids.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core and the programs: files that nothing is written in the place of.
+// Files that nothing is written in the place of.
 
 #include "hexoderm/base/database_files.h"
 

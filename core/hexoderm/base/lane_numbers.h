@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: views of one lane in the arrays that kernels read and write, which hold kLanes lanes side by side.
+// Views of one lane in the arrays that kernels read and write, which hold kLanes lanes side by side.
 
 #include "hexoderm/base/lanes.h"
 

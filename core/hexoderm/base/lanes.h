@@ -2,7 +2,7 @@
 
 namespace hexoderm {
 
-/// Private to core: kernels lay their numbers out for four things side by side, however many they do at a time
+/// Kernels lay their numbers out for four things side by side, however many they do at a time
 /// (lanes.inl).
 inline constexpr int kLanes = 4;
 

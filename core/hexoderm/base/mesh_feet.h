@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: the nearest points of a mesh, for surfaces that are triangles and for what lies on them.
+// The nearest points of a mesh, for surfaces that are triangles and for what lies on them.
 
 #include "hexoderm/base/triangle_mesh.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core/: rounding for what is done millions of times a second.
+// Rounding for what is done millions of times a second.
 
 namespace hexoderm {
 

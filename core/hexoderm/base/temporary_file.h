@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core and the programs: files and folders on their way to their names.
+// Files and folders on their way to their names.
 
 #include <sys/types.h>
 

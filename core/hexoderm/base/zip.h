@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: zip archives in memory (libzip).
+// Zip archives in memory (libzip).
 
 #include <span>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: the samples of one pose while they are collected.
+// The samples of one pose while they are collected.
 
 #include "hexoderm/device/cell_index.h"
 #include "hexoderm/device/gravity_accumulator.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: the motion of one cell, judged by its readings of the last second.
+// The motion of one cell, judged by its readings of the last second.
 
 #include "hexoderm/capture/sample_slots.h"
 

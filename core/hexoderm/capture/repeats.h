@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: readings that a gateway sends several times over.
+// Readings that a gateway sends several times over.
 
 #include <algorithm>
 #include <array>

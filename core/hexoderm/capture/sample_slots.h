@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: the last seconds of a stream, summed up per cell in slots of time.
+// The last seconds of a stream, summed up per cell in slots of time.
 
 #include "hexoderm/capture/repeats.h"
 #include "hexoderm/device/cell_index.h"

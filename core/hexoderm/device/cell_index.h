@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: cells are numbered 0, 1, ... in the order in which they were first seen.
+// Cells are numbered 0, 1, ... in the order in which they were first seen.
 
 #include "hexoderm/base/ids.h"
 

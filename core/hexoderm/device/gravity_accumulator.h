@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to capture/: samples and device-side means pooled into one mean with its covariance.
+// Samples and device-side means pooled into one mean with its covariance.
 
 #include "hexoderm/base/limits.h"
 #include "hexoderm/device/pose_capture.h"

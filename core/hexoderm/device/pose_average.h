@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to core.
-
 #include "hexoderm/device/cell_index.h"
 #include "hexoderm/device/gravity_accumulator.h"
 #include "hexoderm/device/pose_capture.h"

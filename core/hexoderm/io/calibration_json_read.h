@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to io and its tests: the two ways to read a calibration file.
+// The two ways to read a calibration file.
 
 #include "hexoderm/solve/result/reconstruction.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to io and its tests: the two ways to read a session file.
+// The two ways to read a session file.
 
 #include "hexoderm/session/session.h"
 

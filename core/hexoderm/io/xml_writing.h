@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to io: XML by pugixml.
+// XML by pugixml.
 
 #include <initializer_list>
 #include <string>

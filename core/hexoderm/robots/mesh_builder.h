@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to kinematics.
-
 #include "hexoderm/base/message.h"
 #include "hexoderm/base/triangle_mesh.h"
 

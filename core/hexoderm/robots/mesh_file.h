@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to core: mesh files of robots.
+// Mesh files of robots.
 
 #include "hexoderm/base/triangle_mesh.h"
 

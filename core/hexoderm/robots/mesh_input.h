@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to kinematics: the texts and bytes of mesh files, from front to back. Nothing is read beyond their end, and
+// The texts and bytes of mesh files, from front to back. Nothing is read beyond their end, and
 // nothing depends on the locale.
 
 #include "hexoderm/robots/mesh_builder.h"

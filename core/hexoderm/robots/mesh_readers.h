@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to kinematics: one reader for each format. Each adds the triangles of a file to the builder, and throws
+// One reader for each format. Each adds the triangles of a file to the builder, and throws
 // FormatError naming the file. Time and memory are bounded by the size of the file.
 
 #include "hexoderm/robots/mesh_builder.h"

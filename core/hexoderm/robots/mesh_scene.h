@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to kinematics.
-
 #include "hexoderm/robots/mesh_builder.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to kinematics/: the text of a URDF, checked for what urdfdom lets pass or reports without a place.
+// The text of a URDF, checked for what urdfdom lets pass or reports without a place.
 
 #include "hexoderm/robots/robot_model.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to kinematics: what links of a URDF look like.
+// What links of a URDF look like.
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/robots/robot_model.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to session/: entries of the journal, written from operations and read back into the session that they make.
+// Entries of the journal, written from operations and read back into the session that they make.
 
 #include "hexoderm/base/json_reader.h"
 #include "hexoderm/session/sample_blobs.h"

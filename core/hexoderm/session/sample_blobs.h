@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to session/: readings as bytes, little-endian; the layouts are documented in README.md beside this file.
+// Readings as bytes, little-endian; the layouts are documented in README.md beside this file.
 
 #include "hexoderm/device/pose_capture.h"
 #include "hexoderm/device/sample_frame.h"

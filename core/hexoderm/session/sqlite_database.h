@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to session/: SQLite with Hexoderm's errors.
+// SQLite with Hexoderm's errors.
 
 #include "hexoderm/base/message.h"
 

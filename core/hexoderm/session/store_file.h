@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to session/: who may open a *.hexo, and how, so that reading changes nothing and only one writes.
+// Who may open a *.hexo, and how, so that reading changes nothing and only one writes.
 
 #include "hexoderm/session/store_schema.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to session/: the tables of a *.hexo, and how older ones become newer ones.
+// The tables of a *.hexo, and how older ones become newer ones.
 
 #include "hexoderm/base/database_files.h"
 #include "hexoderm/session/sqlite_database.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: a cell that explores its neighbourhood by messages, and the interface, which does the same.
+// A cell that explores its neighbourhood by messages, and the interface, which does the same.
 
 #include "hexoderm/sim/exploration.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to Hexoderm: faults of the simulator, as people write them.
+// Faults of the simulator, as people write them.
 
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/sim/skin_faults.h"

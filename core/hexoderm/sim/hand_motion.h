@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: how a person holds a body part.
+// How a person holds a body part.
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_skin.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: lays a planned patch on a surface.
+// Lays a planned patch on a surface.
 
 #include "hexoderm/base/surface.h"
 #include "hexoderm/sim/patch_plan.h"

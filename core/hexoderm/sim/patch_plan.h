@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: which cells a simulated patch has and how they are joined.
+// Which cells a simulated patch has and how they are joined.
 
 #include "hexoderm/skin/cell_model.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: where a simulated skin's random numbers come from.
+// Where a simulated skin's random numbers come from.
 
 #include <boost/random/normal_distribution.hpp>
 

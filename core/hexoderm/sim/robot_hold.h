@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: how a robot stands in a pose, and how it comes there.
+// How a robot stands in a pose, and how it comes there.
 
 #include "hexoderm/base/joint_angles.h"
 #include "hexoderm/robots/robot_model.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: how a robot with its motors on holds and turns a body part.
+// How a robot with its motors on holds and turns a body part.
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/random_streams.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: sheets on doubly curved surfaces can't keep every link's law; here they come as near as they can.
+// Sheets on doubly curved surfaces can't keep every link's law; here they come as near as they can.
 
 #include "hexoderm/base/surface.h"
 #include "hexoderm/sim/patch_plan.h"

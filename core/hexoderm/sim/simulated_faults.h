@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: what SimulatedSkinOptions::faults and link_faults do to a skin.
+// What SimulatedSkinOptions::faults and link_faults do to a skin.
 
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/device/sample_frame.h"

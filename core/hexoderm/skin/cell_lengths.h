@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to graph/.
-
 namespace hexoderm {
 
 // What lengths a cell of any skin for a robot has: whoever writes millimetres is told.

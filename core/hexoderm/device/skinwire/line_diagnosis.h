@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to skinwire/: for the maker of a device, not for its messages.
+// For the maker of a device, not for its messages.
 
 #include "hexoderm/device/protocol_violation.h"
 

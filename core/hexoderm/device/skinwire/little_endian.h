@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to device/.
-
 #include "hexoderm/device/skinwire/codec.h"
 
 #include <boost/endian/conversion.hpp>

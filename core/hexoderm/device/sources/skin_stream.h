@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: what every source of SkinWire messages does with them.
+// What every source of SkinWire messages does with them.
 
 #include "hexoderm/device/plausibility.h"
 #include "hexoderm/device/protocol_violation_log.h"

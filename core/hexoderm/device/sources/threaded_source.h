@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: what sources have in common, each of which has a thread of its own.
+// What sources have in common, each of which has a thread of its own.
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/device/skin_source.h"

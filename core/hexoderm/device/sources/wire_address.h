@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to device/.
-
 #include <cstdint>
 #include <string>
 #include <string_view>

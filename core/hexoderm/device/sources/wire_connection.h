@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to device/.
-
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/device/sources/skin_stream.h"
 #include "hexoderm/device/sources/wire_source.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to device/: one connection, by Boost.Asio.
+// One connection, by Boost.Asio.
 
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/sources/wire_address.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to Hexoderm: used here and by the emulator's end of the wire.
+// Used here and by the emulator's end of the wire.
 
 #include "hexoderm/device/skinwire/codec.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: why patches may fit no link.
+// Why patches may fit no link.
 
 #include "hexoderm/base/message.h"
 #include "hexoderm/mounting/attachment/link_test.h"

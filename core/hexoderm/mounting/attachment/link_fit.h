@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: how a patch is turned on a link, if it is on that link.
+// How a patch is turned on a link, if it is on that link.
 
 #include "hexoderm/mounting/attachment/link_gravity.h"
 #include "hexoderm/mounting/parts/gravity_seen.h"

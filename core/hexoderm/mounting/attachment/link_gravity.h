@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: the direction of gravity that a robot's links are expected to see.
+// The direction of gravity that a robot's links are expected to see.
 
 #include "hexoderm/robots/robot_model.h"
 

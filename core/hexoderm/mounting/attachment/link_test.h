@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: which links a patch may be on (the rule is in the room's README).
+// Which links a patch may be on (the rule is in the room's README).
 
 #include "hexoderm/mounting/attachment/link_fit.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: what is said of the links of patches.
+// What is said of the links of patches.
 
 #include "hexoderm/mounting/attachment/links.h"
 

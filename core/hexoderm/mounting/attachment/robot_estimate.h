@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: what is stated of joints and base once all placed patches were fitted together.
+// What is stated of joints and base once all placed patches were fitted together.
 
 #include "hexoderm/mounting/attachment/links.h"
 #include "hexoderm/mounting/attachment/robot_fit.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: all patches on their links, joints and base together.
+// All patches on their links, joints and base together.
 
 #include "hexoderm/mounting/attachment/link_fit.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: the poses whose joint angles are known.
+// The poses whose joint angles are known.
 
 #include "hexoderm/base/joint_angles.h"
 #include "hexoderm/base/message.h"

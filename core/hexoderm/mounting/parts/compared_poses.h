@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: the poses in which patches are compared.
+// The poses in which patches are compared.
 
 #include "hexoderm/mounting/parts/gravity_seen.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: gravity as one rigid body sees it, what patches, parts and links are compared by.
+// Gravity as one rigid body sees it, what patches, parts and links are compared by.
 
 #include "hexoderm/solve/result/reconstruction.h"
 

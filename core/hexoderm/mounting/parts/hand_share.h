@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/: how much of a usual hand there was.
+// How much of a usual hand there was.
 
 #include <functional>
 

@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to robot/.
-
 #include "hexoderm/mounting/parts/rigid_fit.h"
 
 namespace hexoderm {

@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to robot/.
-
 #include "hexoderm/mounting/parts/gravity_seen.h"
 
 #include <Eigen/Core>

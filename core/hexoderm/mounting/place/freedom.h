@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/place: in which ways a placed patch can still be moved.
+// In which ways a placed patch can still be moved.
 
 #include "hexoderm/mounting/place/place.h"
 #include "hexoderm/mounting/place/placement_fit.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/place: the least squares of a placement.
+// The least squares of a placement.
 
 #include "hexoderm/base/mesh_feet.h"
 #include "hexoderm/base/se3.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to robot/place: all places that fit.
+// All places that fit.
 
 #include "hexoderm/base/triangle_mesh.h"
 #include "hexoderm/mounting/place/placement_fit.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to reconstruction/check/.
-
 #include "hexoderm/base/se3.h"
 #include "hexoderm/solve/checks/consensus.h"
 

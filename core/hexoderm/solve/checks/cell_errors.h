@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to reconstruction/: how wrong a calibrated cell can be, and how a part moves while it is read. The hold-out
+// How wrong a calibrated cell can be, and how a part moves while it is read. The hold-out
 // and the check of a calibration share it.
 
 #include "hexoderm/base/se3.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to reconstruction/check/.
-
 #include "hexoderm/base/ids.h"
 #include "hexoderm/solve/checks/cell_errors.h"
 #include "hexoderm/solve/global/rigidity.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to evaluation/: shortest chains of links.
+// Shortest chains of links.
 
 #include "hexoderm/skin/breadth_first.h"
 #include "hexoderm/solve/result/result_graph.h"

@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to reconstruction/check/.
-
 #include "hexoderm/solve/result/reconstruction.h"
 
 #include <utility>

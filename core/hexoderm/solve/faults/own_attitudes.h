@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to reconstruction: what the readings of every cell of a patch say about its attitude.
+// What the readings of every cell of a patch say about its attitude.
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/global/rigidity.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to reconstruction: the surface that the links of a patch show.
+// The surface that the links of a patch show.
 
 #include "hexoderm/skin/cell_model.h"
 

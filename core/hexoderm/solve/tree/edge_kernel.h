@@ -1,6 +1,6 @@
 #pragma once
 
-// Private to links: the rotations of kLanes usual links at a time, as estimateEdgeRotation() has them.
+// The rotations of kLanes usual links at a time, as estimateEdgeRotation() has them.
 
 #include "hexoderm/base/lanes.h"
 
