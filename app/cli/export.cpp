@@ -215,8 +215,7 @@ int run(const ExportCommandOptions& command, const Common& common) {
 
   common.progress("Writing " + output.inWords() + " ...");
   if (output.isStandard()) {
-    output.write(withRobotAsInput(
-        options, [&] { return exportBytes(*calibration, formats.front(), options, output.inWords()); }));
+    output.write(withRobotAsInput(options, [&] { return exportBytes(*calibration, formats.front(), options); }));
     common.endProgress();
     sayWhatIsMissing();
     return kDone;

@@ -104,13 +104,9 @@ void addOptions(CLI::App& app, Options& options) {
 std::unique_ptr<SimulatedBody> bodyOf(const Options& options) {
   CellModel model = loadCellModel(options.cell_model);
   if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
-  SimulatedSkinOptions broken;
-  for (const std::string& fault : options.faults) addFault(fault, "--fault", broken);
   RobotText words = options.words;
   words.link_law = linkLawFromName(options.link_law);
-  words.faults = broken.faults;
-  words.link_faults = broken.link_faults;
-  words.whole_skin_faults = broken.whole_skin_faults;
+  for (const std::string& fault : options.faults) addFault(fault, "--fault", words);
   return makeBody(std::move(model), words);
 }
 

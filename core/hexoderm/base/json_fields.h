@@ -7,6 +7,7 @@
 #include "hexoderm/base/json_scanner.h"
 #include "hexoderm/base/json_writer.h"
 
+#include <cmath>
 #include <concepts>
 #include <type_traits>
 #include <utility>
@@ -36,12 +37,6 @@ void takeValue(In& in, Value& value) {
     static_assert(std::is_same_v<Value, std::uint32_t> || std::is_same_v<Value, std::size_t> || std::is_class_v<Value>);
     value = Value(in.unsignedInteger());
   }
-}
-
-/// Takes the value of a member into a variable.
-template <class Value>
-auto into(Value& value) {
-  return [&value](auto& in) { takeValue(in, value); };
 }
 
 // How a value stands in a file: read by take(), which may refuse it, and written by put().
@@ -108,7 +103,15 @@ struct InUnit {
   void take(In& in, double& value) const {
     value = (is_signed ? in.number() : in.nonNegativeNumber()) * unit;
   }
-  void put(JsonWriter& out, double value) const;
+  void put(JsonWriter& out, double value) const {
+    const double scaled = value / unit;
+    constexpr double kShort = 1e9;
+    for (const double candidate : {std::round(scaled * kShort) / kShort, scaled, std::nextafter(scaled, HUGE_VAL),
+                                   std::nextafter(scaled, -HUGE_VAL)}) {
+      if (candidate * unit == value) return out.value(candidate);
+    }
+    out.value(scaled);
+  }
 };
 /// A value of an enumeration by its name. `expected` says which there are.
 template <class NameOf, class FromName, class Expected>

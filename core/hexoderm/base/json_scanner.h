@@ -56,8 +56,8 @@ JsonMember<Take> optionalMember(std::string_view key, Take take) {
 /// have, it throws Unusual, and parseJson() and JsonReader read the text instead. What it takes they take too, as the
 /// same values.
 ///
-///     scanner.object(member("id", into(id)), optionalMember("at_m", [&](auto& in) { at_m = in.vector3(); }));
-///     scanner.finish();
+///     scanner.object(member("id", [&](auto& in) { id = in.string(); }), optionalMember("at_m", [&](auto& in) { at_m =
+///     in.vector3(); })); scanner.finish();
 ///
 /// Its functions are called as those of JsonReader are, so that a template reads both (json_fields.h). They differ in
 /// two ways: a member that object() does not name is refused here and passed over there, and isNull() takes the null

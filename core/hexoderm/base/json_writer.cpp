@@ -1,7 +1,6 @@
 #include "hexoderm/base/json_writer.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/json_fields.h"
 
 #include <nlohmann/json.hpp>
 
@@ -179,16 +178,6 @@ void JsonWriter::value(std::span<const double> numbers) {
 void JsonWriter::value(const Eigen::Matrix3d& m) {
   const Eigen::Matrix3d by_rows = m.transpose();
   value(std::span<const double>(by_rows.data(), 9));
-}
-
-void InUnit::put(JsonWriter& out, double value) const {
-  const double scaled = value / unit;
-  constexpr double kShort = 1e9;
-  for (const double candidate : {std::round(scaled * kShort) / kShort, scaled, std::nextafter(scaled, HUGE_VAL),
-                                 std::nextafter(scaled, -HUGE_VAL)}) {
-    if (candidate * unit == value) return out.value(candidate);
-  }
-  out.value(scaled);
 }
 
 void JsonWriter::value(const nlohmann::ordered_json& json) {

@@ -1,5 +1,6 @@
 #include "hexoderm/base/message.h"
 
+#include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/said_items.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
@@ -38,7 +39,8 @@ std::string englishOf(const MessageArgument::List& items) {
 }  // namespace
 
 std::string_view unitSuffix(Unit unit) {
-  constexpr std::array<std::string_view, 5> kSuffixes = {"", "°", " mm", " mg", " s"};  // in the order of Unit
+  constexpr auto kSuffixes = std::to_array<std::string_view>({"", "°", " mm", " mg", " s"});  // in the order of Unit
+  static_assert(kSuffixes.size() == enumeratorCount<Unit>());
   return kSuffixes.at(static_cast<std::size_t>(unit));
 }
 

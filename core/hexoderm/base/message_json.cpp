@@ -85,11 +85,6 @@ nlohmann::ordered_json toJson(const Message& message) {
   return {{"template", message.englishTemplate()}, {"arguments", jsonOf(message.arguments())}};
 }
 
-void writeMessage(nlohmann::ordered_json& json, const std::string& key, const Message& message) {
-  json[key] = message.english();
-  if (hasArguments(message)) json[key + kMessageKey] = toJson(message);
-}
-
 void writeMessage(JsonWriter& writer, const std::string& key, const Message& message) {
   writer.member(key, message.english());
   if (hasArguments(message)) writer.member(key + kMessageKey, toJson(message));

@@ -14,7 +14,6 @@ nlohmann::ordered_json toJson(const Message& message);
 
 /// Puts the English of a message under `key`, and beside it, unless that is all there is to it, the message itself
 /// under `key` with "_message" behind it.
-void writeMessage(nlohmann::ordered_json& json, const std::string& key, const Message& message);
 void writeMessage(JsonWriter& writer, const std::string& key, const Message& message);
 
 /// The reverse. The English counts: if it is alone, or is not what the message says because somebody edited it, it is

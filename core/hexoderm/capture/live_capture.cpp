@@ -485,10 +485,7 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   void end() {
     if (is_ended_) return;
     finish();
-    if (const Message why = finishRecording(false); !why.empty()) {
-      setRecordingError(why);
-      throw StorageError(why);
-    }
+    if (const Message why = finishRecording(false); !why.empty()) throw StorageError(why);
     if (!session_ && !is_closing_) throw DeviceError(options_.source, state_.status);
   }
 

@@ -59,15 +59,18 @@ std::optional<ProtocolViolation> offenceOfRate(double step_us, double stated_hz)
                             stated, measured))};
 }
 
-/// A cell's samples as a still part has them: their range, noise included, is small beside what they are. Means are of
-/// still parts.
-bool areStill(const std::map<CellId, Eigen::AlignedBox3d>& samples_g, double norm_g) {
+/// Whether the part is still: the range of a cell's samples, noise included, is small beside the samples. Means are of
+/// still parts. Nothing where no cell has sent twice yet.
+std::optional<bool> isStill(const std::map<CellId, ReadingCheck::SampleRange>& ranges, double norm_g) {
   constexpr double kSmall_g = 0.3;
   constexpr double kShare = 0.3;
-  if (samples_g.empty()) return true;
-  std::vector<double> ranges_g;
-  for (const auto& [cell, range] : samples_g) ranges_g.push_back(range.sizes().maxCoeff());
-  return median(std::move(ranges_g)) <= std::max(kSmall_g, kShare * norm_g);
+  if (ranges.empty()) return true;
+  std::vector<double> sizes_g;
+  for (const auto& [cell, range] : ranges) {
+    if (range.samples > 1) sizes_g.push_back(range.box_g.sizes().maxCoeff());
+  }
+  if (sizes_g.empty()) return std::nullopt;
+  return median(std::move(sizes_g)) <= std::max(kSmall_g, kShare * norm_g);
 }
 
 }  // namespace
@@ -113,20 +116,23 @@ std::optional<ProtocolViolation> ReadingCheck::add(const SampleFrame& frame, con
   for (const CellSample& sample : frame.samples) {
     if (norms_g_.size() >= (looked_at_ + 1) * kMaxCells) break;
     norms_g_.push_back(sample.acceleration_g.norm());
-    samples_g_[sample.cell].extend(sample.acceleration_g);
+    SampleRange& range = ranges_[sample.cell];
+    range.box_g.extend(sample.acceleration_g);
+    ++range.samples;
   }
   for (const CellMean& mean : frame.means) {
     if (norms_g_.size() >= (looked_at_ + 1) * kMaxCells) break;
     norms_g_.push_back(mean.mean_g.norm());
   }
   if (++looked_at_ < kFirst || norms_g_.empty()) return std::nullopt;
-  std::optional<ProtocolViolation> offence = offenceOfNorm(median(norms_g_), accelerometer, field);
-  const bool still = areStill(samples_g_, median(norms_g_));
+  const double norm_g = median(norms_g_);
+  std::optional<ProtocolViolation> offence = offenceOfNorm(norm_g, accelerometer, field);
   norms_g_.clear();
-  samples_g_.clear();
   looked_at_ = 0;
-  if (offence && offence->kind == ProtocolViolationKind::NotGravity && !still) return std::nullopt;
   const bool no_gravity = offence && offence->kind == ProtocolViolationKind::NotGravity;
+  const std::optional<bool> still = isStill(ranges_, norm_g);
+  if (still) ranges_.clear();
+  if (no_gravity && !still.value_or(false)) return std::nullopt;
   in_row_ = no_gravity ? in_row_ + 1 : 0;
   if (no_gravity && in_row_ < kJudgements) return std::nullopt;
   return offence;

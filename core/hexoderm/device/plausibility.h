@@ -23,6 +23,11 @@ std::optional<ProtocolViolation> offenceOfNorm(double median_norm, const Acceler
 /// only where the part is still: whoever swings it adds a force of any size.
 class ReadingCheck {
  public:
+  /// Of one cell.
+  struct SampleRange {
+    Eigen::AlignedBox3d box_g;
+    std::uint32_t samples = 0;
+  };
   void restart();
   /// An offence as soon as enough readings say the same. `field`: where the readings were found.
   std::optional<ProtocolViolation> add(const SampleFrame& frame, const Accelerometer& accelerometer, const char* field);
@@ -32,7 +37,7 @@ class ReadingCheck {
   std::uint32_t looked_at_ = 0;  ///< frames in norms_g_
   std::uint32_t in_row_ = 0;     ///< judgements that found no gravity
   std::vector<double> norms_g_;
-  std::map<CellId, Eigen::AlignedBox3d> samples_g_;  ///< of each cell
+  std::map<CellId, SampleRange> ranges_;
 };
 
 /// Compares a device's clock with the rate that it states and with the host's clock: a step that is a thousand times

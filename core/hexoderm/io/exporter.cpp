@@ -294,7 +294,7 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
   if (path.empty()) throw InvalidArgument(message("expected the name of a file or folder to export to"));
   if (format == ExportFormat::Csv) return exportBundle(reconstruction, std::array{format}, path, options);
   const KeptFile robot(options.robot_urdf);
-  writeFileAtomically(path, exportBytes(reconstruction, format, options, path.string()));
+  writeFileAtomically(path, exportBytes(reconstruction, format, options));
   return {path};
 }
 
@@ -316,8 +316,7 @@ FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat forma
                       });
 }
 
-std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
-                        const std::string& /*file*/) {
+std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options) {
   options.validateFor(format);
   return withExported(reconstruction, format, options,
                       [&](const Reconstruction& part, const ExportSelection& selection) {

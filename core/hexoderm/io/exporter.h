@@ -147,8 +147,7 @@ std::vector<std::filesystem::path> exportBundle(const Reconstruction& reconstruc
                                                 std::span<const ExportFormat> formats,
                                                 const std::filesystem::path& folder, const ExportOptions& options = {});
 
-/// The bytes of a format that is one file, whatever its name. InvalidArgument for CSV, which is a folder of files.
-std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
-                        const std::string& file);
+/// The bytes of a format that is one file. InvalidArgument for CSV, which is a folder of files.
+std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options);
 
 }  // namespace hexoderm

@@ -188,18 +188,9 @@ void putHead(const SampleFrame& frame, bool without_cells, Writer& out) {
   out.put(countOf(frame.temperatures.size()));
 }
 
-/// As many bytes as the frames take at most, with numbers of eight bytes.
-std::size_t roomFor(std::span<const SampleFrame> frames) {
-  std::size_t bytes = 16;
-  for (const SampleFrame& frame : frames) {
-    bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
-  }
-  return bytes;
-}
-
 /// Nothing if a reading is no whole number of steps.
 std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double step) {
-  Writer out(roomFor(frames));
+  Writer out(mostBytesOf(frames));
   out.put(std::uint32_t{2});
   out.put(countOf(frames.size()));
   out.put(step);
@@ -232,6 +223,14 @@ std::optional<Bytes> encodeSteps(std::span<const SampleFrame> frames, double ste
 }
 
 }  // namespace
+
+std::size_t mostBytesOf(std::span<const SampleFrame> frames) {
+  std::size_t bytes = 16;
+  for (const SampleFrame& frame : frames) {
+    bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
+  }
+  return bytes;
+}
 
 Bytes encodeSamples(std::span<const GravitySample> samples) {
   Writer out(samples.size() * kSampleBytes);
@@ -290,7 +289,7 @@ Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g) {
   if (lsb_g > 0) {
     if (std::optional<Bytes> bytes = encodeSteps(frames, lsb_g)) return std::move(*bytes);
   }
-  Writer out(roomFor(frames));
+  Writer out(mostBytesOf(frames));
   const auto put = [&](double value) { is_short ? out.put(static_cast<float>(value)) : out.put(value); };
   out.put(is_short ? 4U : 8U);
   out.put(countOf(frames.size()));

@@ -23,6 +23,8 @@ std::vector<GravitySample> decodeSamples(std::span<const std::uint8_t> bytes, co
 /// a byte or two each; if all are exact as single-precision numbers, 4 bytes, else 8. `lsb_g` 0: no step is known.
 /// Throws InvalidArgument for numbers that are not finite.
 Bytes encodeFrames(std::span<const SampleFrame> frames, double lsb_g = 0);
+/// As many as that makes at most.
+std::size_t mostBytesOf(std::span<const SampleFrame> frames);
 std::vector<SampleFrame> decodeFrames(std::span<const std::uint8_t> bytes, const std::string& where);
 
 }  // namespace hexoderm

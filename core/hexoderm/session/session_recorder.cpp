@@ -25,10 +25,7 @@ Message whyNoRawSamples(const std::vector<StoreOperation>& operations, const std
   std::uintmax_t most_bytes = 0;
   for (const StoreOperation& operation : operations) {
     const AddPose* add = addedPose(operation);
-    if (add == nullptr || !add->raw) continue;
-    for (const SampleFrame& frame : *add->raw) {
-      most_bytes += 20 + 28 * frame.samples.size() + 56 * frame.means.size() + 12 * frame.temperatures.size();
-    }
+    if (add != nullptr && add->raw) most_bytes += mostBytesOf(*add->raw);
   }
   if (most_bytes == 0) return {};
   std::error_code unknown;

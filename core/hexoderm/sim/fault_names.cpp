@@ -20,7 +20,7 @@ std::string faultSyntax() {
          ", or KIND alone, of the whole skin: " + anyOf(kWholeSkinFaultNames);
 }
 
-void addFault(const std::string& text, const std::string& what, SimulatedSkinOptions& skin) {
+void addFault(const std::string& text, const std::string& what, SkinChoice& skin) {
   const std::vector<std::string> parts = split(text, ':');
   const auto number = [&](std::size_t part) { return parseUnsigned(parts[part], what + " " + text); };
   const auto of_cell = kSkinFaultNames.find(parts[0]);

@@ -9,7 +9,7 @@
 
 namespace hexoderm {
 
-struct SimulatedSkinOptions;
+struct SkinChoice;
 
 inline constexpr EnumNames<SkinFault> kSkinFaultNames = {{"dead", "stuck", "stuck-axis", "dead-axis", "saturated",
                                                           "noisy", "wrong-gain", "no-samples", "echo", "swapped",
@@ -21,6 +21,6 @@ inline constexpr EnumNames<WholeSkinFault> kWholeSkinFaultNames = {
 /// The faults of a simulated skin as people write them: "KIND:CELL with KIND dead, ...".
 std::string faultSyntax();
 /// Adds a fault in that syntax to a skin. Throws InvalidArgument, which begins with `what` ("--fault").
-void addFault(const std::string& text, const std::string& what, SimulatedSkinOptions& skin);
+void addFault(const std::string& text, const std::string& what, SkinChoice& skin);
 
 }  // namespace hexoderm

@@ -84,35 +84,40 @@ TEST(Template, OfATranslationMayReorder) {
   EXPECT_EQ(fillTemplate("{1} vor {0}", std::vector<std::string>{"a", "b"}), "b vor a");
 }
 
+/// An object with the message as its text, as files have it.
+nlohmann::json documentOf(const Message& said) {
+  std::string text;
+  JsonWriter writer([&](std::string_view piece) { text += piece; });
+  writer.beginObject();
+  writeMessage(writer, "text", said);
+  writer.endObject();
+  writer.finish();
+  return nlohmann::json::parse(text);
+}
+
 TEST(MessageJson, ComesBackAsItWas) {
   for (const Message& said : {everyKind(), message("plain"), inRow({message("One."), message("Two {}.", 3)})}) {
-    nlohmann::ordered_json json;
-    writeMessage(json, "text", said);
-    EXPECT_EQ(json["text"], said.english());
-    const nlohmann::json read = nlohmann::json::parse(json.dump());
-    EXPECT_EQ(readMessage(JsonReader(read, "a.json"), "text"), said) << json.dump();
+    const nlohmann::json document = documentOf(said);
+    EXPECT_EQ(document.at("text"), said.english());
+    EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text"), said) << document;
   }
 }
 
 TEST(MessageJson, HasOnlyTheTextOfAVerbatimMessage) {
-  nlohmann::ordered_json json;
-  writeMessage(json, "text", Message::verbatim("a name"));
-  EXPECT_EQ(json.dump(), R"({"text":"a name"})");
-  EXPECT_EQ(readMessage(JsonReader(nlohmann::json(json), "a.json"), "text"), Message::verbatim("a name"));
+  const nlohmann::json document = documentOf(Message::verbatim("a name"));
+  EXPECT_EQ(document.dump(), R"({"text":"a name"})");
+  EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text"), Message::verbatim("a name"));
 }
 
 TEST(MessageJson, SaysANumberThatJsonDoesNotHave) {
-  nlohmann::ordered_json json;
-  writeMessage(json, "text", message("misfit {}", Number{std::numeric_limits<double>::infinity(), 1}));
-  EXPECT_EQ(readMessage(JsonReader(nlohmann::json::parse(json.dump()), "a.json"), "text").english(), "misfit inf");
+  const auto document = documentOf(message("misfit {}", Number{std::numeric_limits<double>::infinity(), 1}));
+  EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text").english(), "misfit inf");
 }
 
 TEST(MessageJson, TheTextCountsWhereSomebodyEditedIt) {
-  nlohmann::ordered_json json;
-  writeMessage(json, "text", message("cell {}", 7));
-  json["text"] = "my own words";
-  const nlohmann::json edited(json);
-  EXPECT_EQ(readMessage(JsonReader(edited, "a.json"), "text"), Message::verbatim("my own words"));
+  nlohmann::json document = documentOf(message("cell {}", 7));
+  document["text"] = "my own words";
+  EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text"), Message::verbatim("my own words"));
 }
 
 TEST(MessageJson, MalformedIsAFormatErrorThatNamesThePlace) {

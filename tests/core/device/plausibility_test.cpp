@@ -42,11 +42,17 @@ TEST(ReadingCheck, IsSoonAboutUnitsAndPatientAboutShocks) {
   EXPECT_GT(frames, 100);
 }
 
+/// The cells send in turn, one in each frame.
 TEST(ReadingCheck, APartThatIsWhirledIsNoOffence) {
-  ReadingCheck check;
-  for (int k = 0; k < 5000; ++k) {
-    const Eigen::Vector3d gravity_g = Eigen::AngleAxisd(0.1 * k, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d::UnitX();
-    EXPECT_FALSE(check.add({0, {{CellId(1), Eigen::Vector3d(3, 0, 0) + gravity_g}}}, kSensor, "f")) << k;
+  for (const unsigned cells : {1U, 50U}) {
+    ReadingCheck check;
+    for (unsigned k = 0; k < 20'000; ++k) {
+      const Eigen::Vector3d gravity_g = Eigen::AngleAxisd(0.1 * k, Eigen::Vector3d::UnitZ()) * Eigen::Vector3d::UnitX();
+      const CellSample sample{CellId(1 + k % cells), Eigen::Vector3d(3, 0, 0) + gravity_g};
+      EXPECT_FALSE(check.add({0, {sample}}, kSensor, "f")) << cells << " cells, frame " << k;
+    }
+    int frames = 0;
+    while (!check.add({0, {{CellId(1), Eigen::Vector3d(3, 0, 0)}}}, kSensor, "f")) ASSERT_LT(++frames, 1000);
   }
 }
 

@@ -47,14 +47,14 @@ std::set<std::string> structureOf(const std::string& text) {
 TEST_F(ExportedReference, TumSkinConfigHasTheStructureOfARealOne) {
   const auto calibration = calibrationFromTum(readTumXml(kReal / "tum_skin_config.xml"), builtInCellModel("hex-bma150"),
                                               "tum_skin_config.xml");
-  const std::string ours = exportBytes(*calibration, ExportFormat::Tum, {}, "skin.xml");
+  const std::string ours = exportBytes(*calibration, ExportFormat::Tum, {});
   EXPECT_EQ(structureOf(ours), structureOf(read(kReal / "tum_skin_config.xml")));
 }
 
 TEST_F(ExportedReference, TumSkinConfigKeepsWhatARealOneSays) {
   const TumSkinConfig real = readTumXml(kReal / "tum_skin_config.xml");
   const auto calibration = calibrationFromTum(real, builtInCellModel("hex-bma150"), "tum_skin_config.xml");
-  const TumSkinConfig ours = parseTumXml(exportBytes(*calibration, ExportFormat::Tum, {}, "skin.xml"), "skin.xml");
+  const TumSkinConfig ours = parseTumXml(exportBytes(*calibration, ExportFormat::Tum, {}), "skin.xml");
   ASSERT_EQ(ours.cells.size(), real.cells.size());
   for (const TumSkinConfig::Cell& cell : real.cells) {
     const auto found =
@@ -85,7 +85,7 @@ TEST_F(ExportedReference, ARealTaxelFileIsReadByTheReaderOfOurs) {
       EXPECT_TRUE(real->rows[row].isTaxel()) << row;
     }
   }
-  const std::string ours = exportBytes(makeTestReconstruction(), ExportFormat::Icub, {}, "taxels.txt");
+  const std::string ours = exportBytes(makeTestReconstruction(), ExportFormat::Icub, {});
   const auto head = [](const std::string& text) {
     std::vector<std::string> keys;
     std::istringstream in(text);

@@ -40,8 +40,8 @@ TEST(ExportMesh, HoldsClosedPrismsAtTheirPlaces) {
                                    MeshFile{ExportFormat::Stl, "skin.stl", LengthUnit::Millimetres, 1e3},
                                    MeshFile{ExportFormat::Stl, "skin.stl", LengthUnit::Metres},
                                    MeshFile{ExportFormat::Gltf, "skin.glb", {}, 1, sceneFromSkin()}}) {
-    const std::string bytes = exportBytes(makeTestReconstruction(), expected.format,
-                                          test::with(&ExportOptions::stl_unit, expected.stl_unit), expected.file);
+    const std::string bytes =
+        exportBytes(makeTestReconstruction(), expected.format, test::with(&ExportOptions::stl_unit, expected.stl_unit));
     const TriangleMesh mesh = readMesh(bytes, expected.file);
     EXPECT_EQ(mesh.triangles.size(), 3U * (4 + 4 + 12)) << expected.file;
     EXPECT_EQ(mesh.points.size(), 3U * 12U) << expected.file;
@@ -58,7 +58,7 @@ TEST(ExportMesh, HoldsClosedPrismsAtTheirPlaces) {
 }
 
 TEST(ExportStl, NormalsAreThoseOfTheFacets) {
-  const std::string bytes = exportBytes(makeTestReconstruction(), ExportFormat::Stl, {}, "skin.stl");
+  const std::string bytes = exportBytes(makeTestReconstruction(), ExportFormat::Stl, {});
   for (std::size_t at = 84; at < bytes.size(); at += 50) {
     Eigen::Matrix<float, 3, 4> facet;  // the normal and the corners
     std::memcpy(facet.data(), bytes.data() + at, sizeof(float) * 12);
@@ -86,8 +86,8 @@ std::vector<std::uint32_t> colorsOf(const std::string& ply) {
 TEST(ExportPly, ColoursCellsByTheirWorstUsedLink) {
   std::vector<std::uint32_t> of_cells;
   for (const std::uint32_t of_patch : {7U, 20U}) {
-    const auto colors = colorsOf(exportBytes(makeTestReconstruction(), ExportFormat::Ply,
-                                             test::with(&ExportOptions::patch, CellId(of_patch)), "skin.ply"));
+    const auto colors = colorsOf(
+        exportBytes(makeTestReconstruction(), ExportFormat::Ply, test::with(&ExportOptions::patch, CellId(of_patch))));
     for (std::size_t k = 0; k < colors.size(); ++k) {
       if (k % 12 == 0) of_cells.push_back(colors[k]);
       EXPECT_EQ(colors[k], of_cells.back());
@@ -98,12 +98,12 @@ TEST(ExportPly, ColoursCellsByTheirWorstUsedLink) {
 }
 
 TEST(ExportPly, SaysItsUnitAndFrame) {
-  EXPECT_THAT(exportBytes(makeTestReconstruction(), ExportFormat::Ply, {}, "skin.ply"),
+  EXPECT_THAT(exportBytes(makeTestReconstruction(), ExportFormat::Ply, {}),
               HasSubstr("\ncomment metres, in the frame of cell 7, the origin of the patch\n"));
 }
 
 TEST(ExportObj, NamesEveryCellAtItsPlace) {
-  const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Obj, {}, "skin.obj");
+  const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Obj, {});
   EXPECT_THAT(text, HasSubstr("# metres, in the frame of cell 7"));
   std::istringstream file(text);
   std::map<std::string, std::vector<Eigen::Vector3d>> corners;
@@ -140,7 +140,7 @@ void placeNodes(const nlohmann::json& nodes, std::size_t index, const SE3& T_sce
 
 TEST(ExportGltf, HasANodeAtEveryCellAndSensor) {
   const Reconstruction one = onePatch();
-  const std::string bytes = exportBytes(one, ExportFormat::Gltf, {}, "skin.glb");
+  const std::string bytes = exportBytes(one, ExportFormat::Gltf, {});
   constexpr std::size_t kBegin = 20;  // behind the header and that of the first chunk
   const auto json = nlohmann::json::parse(bytes.substr(kBegin, bytes.find(std::string("BIN\0", 4)) - 4 - kBegin));
   EXPECT_EQ(json.at("nodes").at(0).at("extras").at("frame"), "in the frame of cell 7, the origin of the patch");

@@ -31,7 +31,7 @@ TEST_F(ExportSelections, PatchesOnOneLinkShareItsFrame) {
   ASSERT_EQ(part.patches.size(), 2U);
   EXPECT_LT((part.patches[0].cells[0].T_o_u.t - T_l_o_ * reconstruction_.patches[0].cells[0].T_o_u.t).norm(), 1e-15);
   EXPECT_EQ(part.patches[1].cells[0].T_o_u.t.x(), 0.5);
-  EXPECT_THAT(exportBytes(reconstruction_, ExportFormat::Ply, options_, "f"),
+  EXPECT_THAT(exportBytes(reconstruction_, ExportFormat::Ply, options_),
               HasSubstr("comment metres, in the frame of link forearm"));
 }
 
@@ -50,7 +50,7 @@ TEST_F(ExportSelections, WhatIsNotOnTheLinkIsLeftOutAndSaid) {
 
 TEST_F(ExportSelections, OptionsThatDoNotGoTogetherAreRefused) {
   const auto refused = [&](ExportFormat format) {
-    return messageOf<InvalidArgument>([&] { exportBytes(reconstruction_, format, options_, "f"); });
+    return messageOf<InvalidArgument>([&] { exportBytes(reconstruction_, format, options_); });
   };
   options_.placements = {{CellId(7), "forearm", {}, {}}, {CellId(20), "hand", {}, {}}};
   for (const ExportFormat format : {ExportFormat::Urdf, ExportFormat::Sdf, ExportFormat::Mjcf}) {

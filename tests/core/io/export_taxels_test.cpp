@@ -29,7 +29,7 @@ TEST_F(ExportTaxels, OfIcubAreTheCellsInTheLinksFrame) {
 TEST_F(ExportTaxels, OfIcubLoseNoCellToAReaderThatDropsTheLastLineOrRow) {
   for (const std::uint32_t columns : {1U, 4U, 6U}) {  // 2, 8 and 12 cells
     const Reconstruction sheet = sheetReconstruction(columns, 2);
-    const std::string text = exportBytes(sheet, ExportFormat::Icub, {}, "taxels.txt");
+    const std::string text = exportBytes(sheet, ExportFormat::Icub, {});
     const auto whole = test::readIcubTaxels(text);
     const auto dropped = test::readIcubTaxels(text, true);
     const auto dropped_row = test::readIcubTaxels(text.substr(0, text.size() - 1), true);

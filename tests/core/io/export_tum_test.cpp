@@ -11,7 +11,7 @@ namespace {
 
 TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  const TumSkinConfig config = parseTumXml(exportBytes(reconstruction, ExportFormat::Tum, {}, "skin.xml"), "skin.xml");
+  const TumSkinConfig config = parseTumXml(exportBytes(reconstruction, ExportFormat::Tum, {}), "skin.xml");
   ASSERT_EQ(config.cells.size(), 4U);
   const TumSkinConfig::Cell& third = config.cells[2];
   EXPECT_EQ(third.report.id, CellId(12));
@@ -29,7 +29,7 @@ TEST(ExportTum, HoldsEveryPatchInTheFrameOfItsRootCell) {
 TEST(ExportTum, SaysWhereEveryRootCellIsInItsLink) {
   const SE3 T_hand_20{rotationFromRpy({0.4, -0.9, 2.5}), {0.25, 0, -0.125}};
   const ExportOptions options = test::with(&ExportOptions::placements, {{CellId(20), "hand", T_hand_20, {}}});
-  const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Tum, options, "skin.xml");
+  const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Tum, options);
   pugi::xml_document document;
   ASSERT_TRUE(document.load_buffer(text.data(), text.size()));
   const auto expectAt = [&](const char* patch, const std::string& frame, const SE3& T) {

@@ -59,7 +59,7 @@ void expectNear(const SE3& found, const SE3& expected, const std::string& what) 
 
 pugi::xml_document exported(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
   pugi::xml_document document;
-  const std::string text = exportBytes(reconstruction, ExportFormat::Urdf, options, "skin.urdf");
+  const std::string text = exportBytes(reconstruction, ExportFormat::Urdf, options);
   EXPECT_TRUE(document.load_buffer(text.data(), text.size()));
   return document;
 }

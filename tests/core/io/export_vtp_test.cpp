@@ -118,7 +118,7 @@ TEST_F(ExportVtp, SaysUnitsAndFrames) {
 TEST_F(ExportVtp, EmptyReconstructionGivesAnEmptyMesh) {
   const Reconstruction empty = test::ResultBuilder().build();
   EXPECT_EQ(vtpData(empty).points, 0U);
-  EXPECT_NO_THROW(exportBytes(empty, ExportFormat::Vtp, {}, "empty.vtp"));
+  EXPECT_NO_THROW(exportBytes(empty, ExportFormat::Vtp, {}));
 }
 
 }  // namespace

@@ -46,11 +46,11 @@ TEST_P(EveryExport, WritesTheSameFilesAgainAndNoOthers) {
   }
   EXPECT_EQ(written, first);
   if (GetParam() == ExportFormat::Csv) {
-    EXPECT_THAT(messageOf<InvalidArgument>([] { exportBytes(makeTestReconstruction(), ExportFormat::Csv, {}, "x"); }),
+    EXPECT_THAT(messageOf<InvalidArgument>([] { exportBytes(makeTestReconstruction(), ExportFormat::Csv, {}); }),
                 HasSubstr("folder of several files"));
     return;
   }
-  EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), needed(), "standard output"), first.at(paths.at(0)));
+  EXPECT_EQ(exportBytes(makeTestReconstruction(), GetParam(), needed()), first.at(paths.at(0)));
 }
 
 TEST_P(EveryExport, RefusesNumbersThatAreNotFiniteAndKeepsTheEarlierFile) {
@@ -189,11 +189,11 @@ TEST(MeshFormats, RefuseNoCellsAndPlacesThatSinglePrecisionCannotHold) {
   Reconstruction reconstruction = makeTestReconstruction();
   for (const ExportFormat format : {ExportFormat::Ply, ExportFormat::Stl, ExportFormat::Obj, ExportFormat::Gltf}) {
     reconstruction.patches[0].cells[2].T_o_u.t.x() = kMaxLength_m;
-    EXPECT_NO_THROW(exportBytes(reconstruction, format, {}, "f"));
+    EXPECT_NO_THROW(exportBytes(reconstruction, format, {}));
     reconstruction.patches[0].cells[2].T_o_u.t.x() = -1e36;
-    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}, "f"); }),
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(reconstruction, format, {}); }),
                 HasSubstr("cell 12: the single precision"));
-    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(test::ResultBuilder().build(), format, {}, "f"); }),
+    EXPECT_THAT(messageOf<InvalidArgument>([&] { exportBytes(test::ResultBuilder().build(), format, {}); }),
                 HasSubstr("no cells"));
   }
 }

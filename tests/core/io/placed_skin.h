@@ -23,7 +23,7 @@ class PlacedSkin : public ExportTest {
     for (const CellPlacement& cell : cells) expectAt("skin_cell" + toString(cell.cell), cell.T_o_u);
     expectAt("skin_cell3_accelerometer", cells[0].sensors[0].T_o_s);
   }
-  std::string bytes(ExportFormat format) const { return exportBytes(reconstruction_, format, options_, "skin"); }
+  std::string bytes(ExportFormat format) const { return exportBytes(reconstruction_, format, options_); }
 
   const SE3 T_l_o_{rotationFromRpy({0.4, -0.9, 2.5}), {0.03, -0.01, 0.12}};
   Reconstruction reconstruction_ = makeTestReconstruction();

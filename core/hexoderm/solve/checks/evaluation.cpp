@@ -37,6 +37,9 @@ constexpr std::array<FittedKind, 4> kKinds = {{{SurfaceKind::Plane, 3, fitPlane}
                                                {SurfaceKind::Sphere, 4, fitSphere},
                                                {SurfaceKind::Cylinder, 5, fitCylinder},
                                                {SurfaceKind::Cone, 6, fitCone}}};
+static_assert(kKinds.size() == enumeratorCount<SurfaceKind>());
+
+const FittedKind& fittedKind(SurfaceKind kind) { return *std::ranges::find(kKinds, kind, &FittedKind::kind); }
 
 /// Fills in tilts and BIC.
 void judge(const PatchReconstruction& patch, SurfaceEvaluation& surface) {
@@ -59,7 +62,7 @@ void judge(const PatchReconstruction& patch, SurfaceEvaluation& surface) {
   // A height and two tilts per cell.
   const auto observations = static_cast<double>(3 * patch.cells.size());
   surface.misfit = squares / observations;
-  surface.bic = squares + kKinds.at(static_cast<std::size_t>(surface.kind)).parameters * std::log(observations);
+  surface.bic = squares + fittedKind(surface.kind).parameters * std::log(observations);
 }
 
 /// Whether what is stated of the patch can contradict a surface.
@@ -177,7 +180,7 @@ SurfaceEvaluation evaluateSurface(const PatchReconstruction& patch, SurfaceKind 
     evaluation.cells.push_back(cell.cell);
     points.push_back(cell.T_o_u.t);
   }
-  SurfaceFit fit = kKinds.at(static_cast<std::size_t>(kind)).fit(points);
+  SurfaceFit fit = fittedKind(kind).fit(points);
   evaluation.point = fit.point;
   evaluation.axis = fit.axis;
   if (kind != SurfaceKind::Plane) evaluation.radius_m = fit.radius_m;

@@ -29,7 +29,7 @@ double stepOfGrid(std::vector<double> values) {
   constexpr std::size_t kFewest = 12;  // differences
   constexpr double kEqual = 1e-9;
   constexpr double kFarthest = 20;  // steps: the values of a grid are closer than that, but for a few
-  constexpr double kOff = 0.05;     // of a step: decimals that a file leaves out
+  constexpr double kOff = 0.1;      // of a step: decimals that a file leaves out
   constexpr double kMostBeside = 0.1;
   std::ranges::sort(values);
   std::vector<double> differences;
@@ -40,7 +40,7 @@ double stepOfGrid(std::vector<double> values) {
   const double step = std::ranges::min(differences);
   const auto beside = std::ranges::count_if(differences, [&](double difference) {
     const double steps = difference / step;
-    return steps > kFarthest || std::abs(steps - std::round(steps)) > kOff * std::round(steps);
+    return steps > kFarthest || std::abs(steps - std::round(steps)) > kOff;
   });
   return static_cast<double>(beside) <= kMostBeside * static_cast<double>(differences.size()) ? step : 0;
 }
@@ -122,9 +122,9 @@ class Judge {
     for (const std::size_t pose : table_.enabledPoses()) {
       for (const std::vector<std::size_t>& cells : cellsThatReadAlike(pose)) poses_of[cells].push_back(pose);
     }
-    if (!poses_of.empty()) grid_step_g_ = stepOfMeans();
+    const double grid_step_g = poses_of.empty() ? 0 : stepOfMeans();
     for (const auto& [cells, poses] : poses_of) {
-      if (chanceOfSameReadings(cells.front(), poses) < kByChance) describeIdentical(cells, poses);
+      if (chanceOfSameReadings(cells.front(), poses, grid_step_g) < kByChance) describeIdentical(cells, poses);
     }
   }
 
@@ -155,13 +155,15 @@ class Judge {
   }
 
   /// How many pairs of this skin's cells are to be expected to share all digits with each other in so many poses.
-  [[nodiscard]] double chanceOfSameReadings(std::size_t cell, const std::vector<std::size_t>& poses) const {
+  /// `grid_step_g`: of the means; 0: none to be seen.
+  [[nodiscard]] double chanceOfSameReadings(std::size_t cell, const std::vector<std::size_t>& poses,
+                                            double grid_step_g) const {
     const Accelerometer& a = snapshot_.model->accelerometer;
     const auto cells = static_cast<double>(table_.cellCount());
     double chance = cells * cells / 2 * static_cast<double>(table_.enabledPoses().size());
     double offset_g = a.offset_sigma_g;  // two sensors that agree in one pose have the same offsets in all others
     for (const std::size_t pose : poses) {
-      const std::optional<double> step_g = resolution(cell, pose);
+      const std::optional<double> step_g = resolution(cell, pose, grid_step_g);
       if (!step_g) return 1;
       const double spread_g = std::hypot(offset_g, std::sqrt(table_.at(cell, pose).own_variance_g2));
       chance *= std::pow(std::min(1.0, *step_g / (2 * std::sqrt(kPi) * spread_g)), 3);
@@ -187,14 +189,14 @@ class Judge {
 
   /// The step between two readings that can be told apart. None where nothing says that the readings are a real
   /// sensor's: those of an ideal one, without noise and steps, may well be the same.
-  [[nodiscard]] std::optional<double> resolution(std::size_t cell, std::size_t pose) const {
+  [[nodiscard]] std::optional<double> resolution(std::size_t cell, std::size_t pose, double grid_step_g) const {
     const double lsb_g = snapshot_.model->accelerometer.lsb_g;
     const GravityTable::Entry& entry = table_.at(cell, pose);
-    if (entry.sample_sigma_g > 0) return std::max(lsb_g / entry.count, grid_step_g_);
+    if (entry.sample_sigma_g > 0) return std::max(lsb_g / entry.count, grid_step_g);
     constexpr double kWhole = 1e-6;
     const Eigen::Vector3d steps = snapshot_.model->accelerometer.T_u_a.R.transpose() * entry.mean_g / lsb_g;
     const bool is_one_sample = lsb_g > 0 && (steps - steps.array().round().matrix()).cwiseAbs().maxCoeff() < kWhole;
-    return is_one_sample ? std::optional(std::max(lsb_g, grid_step_g_)) : std::nullopt;
+    return is_one_sample ? std::optional(std::max(lsb_g, grid_step_g)) : std::nullopt;
   }
 
   void describeIdentical(const std::vector<std::size_t>& cells, const std::vector<std::size_t>& poses) {
@@ -420,7 +422,6 @@ class Judge {
   const SkinGraph& graph_;
   GravityTable& table_;
   std::vector<Finding>& findings_;
-  double grid_step_g_ = 0;  ///< of the means; 0: none to be seen
 };
 
 }  // namespace

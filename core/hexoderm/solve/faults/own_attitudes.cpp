@@ -115,9 +115,10 @@ class Acceleration {
   std::vector<Eigen::VectorXd> off_changes_;
 };
 
-/// All forces in one column, swings as what they change over a tenth of a metre.
+constexpr double kLever_m = 0.1;
+
+/// All forces in one column, swings as what they change over the lever.
 Eigen::VectorXd packed(std::span<const PatchForce> forces) {
-  constexpr double kLever_m = 0.1;
   Eigen::VectorXd all(static_cast<Eigen::Index>(6 * forces.size()));
   for (std::size_t k = 0; k < forces.size(); ++k) {
     all.segment<6>(static_cast<Eigen::Index>(6 * k)) << forces[k].at_origin_o, kLever_m * forces[k].swing_o;
@@ -125,7 +126,6 @@ Eigen::VectorXd packed(std::span<const PatchForce> forces) {
   return all;
 }
 void unpack(const Eigen::VectorXd& all, std::span<PatchForce> forces) {
-  constexpr double kLever_m = 0.1;
   for (std::size_t k = 0; k < forces.size(); ++k) {
     forces[k].at_origin_o = all.segment<3>(static_cast<Eigen::Index>(6 * k));
     forces[k].swing_o = all.segment<3>(static_cast<Eigen::Index>(6 * k + 3)) / kLever_m;
@@ -165,9 +165,7 @@ class OwnAttitudeBatches {
   class Search {
    public:
     Search(OwnAttitudeBatches& batches, int most_steps)
-        : batches_(batches), kernel_(batches.kernel_), f_o_(3 * kLanes * batches.poses_, 0) {
-      kernel_.most_steps = most_steps;
-    }
+        : batches_(batches), most_steps_(most_steps), f_o_(3 * kLanes * batches.poses_, 0) {}
 
     /// `placements` of all cells.
     void run(std::size_t batch, std::span<const PatchForce> forces, std::span<const SE3> placements) {
@@ -179,10 +177,13 @@ class OwnAttitudeBatches {
         }
       }
       const std::size_t first = kLanes * batch;  // cell
-      const OwnAttitudeKernelInput in{
-          static_cast<int>(batches_.poses_), f_o_.data(), batches_.y_g_.data() + 3 * batches_.poses_ * first,
-          batches_.precision_.data() + batches_.poses_ * first, batches_.R_.data() + 9 * first};
-      (hasVectorInstructions() ? findAttitudesByFour : findAttitudesByTwo)(kernel_, in, out_);
+      const OwnAttitudeKernelInput in{static_cast<int>(batches_.poses_),
+                                      f_o_.data(),
+                                      batches_.y_g_.data() + 3 * batches_.poses_ * first,
+                                      batches_.precision_.data() + batches_.poses_ * first,
+                                      batches_.R_.data() + 9 * first,
+                                      most_steps_};
+      (hasVectorInstructions() ? findAttitudesByFour : findAttitudesByTwo)(batches_.kernel_, in, out_);
     }
 
     /// Nothing for a cell that needs a more careful look.
@@ -194,7 +195,7 @@ class OwnAttitudeBatches {
 
    private:
     const OwnAttitudeBatches& batches_;
-    AttitudeKernelOptions kernel_;
+    int most_steps_;
     std::vector<double> f_o_;
     OwnAttitudeKernelOutput out_{};
   };

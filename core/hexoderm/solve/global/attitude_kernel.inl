@@ -180,7 +180,7 @@ HEXODERM_INLINE void find(const AttitudeKernelOptions& options, const OwnAttitud
   for (int k = 0; k < 9; ++k) R[k] = at(in.R_start, k);
   Turn turn;
   Lanes usual = one;
-  for (int k = 0; k < options.most_steps; ++k) {
+  for (int k = 0; k < in.most_steps; ++k) {
     Lanes half[12];  // 4 x 3, sum of q v^T / V
     for (int i = 0; i < 4; ++i) {
       for (int j = 0; j < 3; ++j) {

@@ -193,7 +193,6 @@ AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior) {
     for (int k = 0; k < 4; ++k) options.precision[4 * axis + k] = prior.precision(axis)[k];
   }
   options.min_information = kMinInformation;
-  options.most_steps = kMaxAttitudeSteps;
   return options;
 }
 

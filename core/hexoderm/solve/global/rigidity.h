@@ -72,8 +72,6 @@ struct OwnAttitude {
   Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
 };
 
-inline constexpr int kMaxAttitudeSteps = 15;  ///< of Gauss-Newton, of findAttitude()
-
 /// The attitude at which the readings of the specific forces `f_o` (patch frame, per reading) are most probable,
 /// offset, gains and cross-axis sensitivity being whatever fits best under their priors. Found by Gauss-Newton from
 /// `R_start` (accelerometer to patch); where the readings show nothing it stays there, and the information is 0.
@@ -81,7 +79,7 @@ OwnAttitude findAttitude(const AccelerometerPrior& prior, std::span<const CellRe
                          std::span<const Eigen::Vector3d> f_o, const Eigen::Matrix3d& R_start,
                          int most_steps = kMaxAttitudeSteps);
 
-/// findAttitude() for the kernel, with at most kMaxAttitudeSteps.
+/// findAttitude() for the kernel.
 AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior);
 
 /// The information, rad^-2 in the accelerometer's axes, that readings of the specific forces `v_g` (accelerometer

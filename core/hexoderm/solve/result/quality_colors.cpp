@@ -1,5 +1,7 @@
 #include "hexoderm/solve/result/quality_colors.h"
 
+#include "hexoderm/base/enum_names.h"
+
 #include <array>
 #include <cstddef>
 
@@ -7,8 +9,9 @@ namespace hexoderm {
 
 std::uint32_t qualityColor(EdgeQuality quality, Background background) {
   // In the order of EdgeQuality.
-  constexpr std::array<std::uint32_t, 4> kOnDark = {0xD64A45, 0xFFDE3E, 0x87F5FA, 0x7A6BE8};
-  constexpr std::array<std::uint32_t, 4> kOnLight = {0x7F0D14, 0xE66F15, 0x17A1CA, 0x3A1FB0};
+  constexpr auto kOnDark = std::to_array<std::uint32_t>({0xD64A45, 0xFFDE3E, 0x87F5FA, 0x7A6BE8});
+  constexpr auto kOnLight = std::to_array<std::uint32_t>({0x7F0D14, 0xE66F15, 0x17A1CA, 0x3A1FB0});
+  static_assert(kOnDark.size() == enumeratorCount<EdgeQuality>() && kOnLight.size() == kOnDark.size());
   return (background == Background::Dark ? kOnDark : kOnLight).at(static_cast<std::size_t>(quality));
 }
 
