@@ -3,13 +3,13 @@
 // four. Nothing in a text may have a name that others see, nor use a function of a library that a linker could take for
 // the other machines, too.
 //
-//     // root_kernel_text.h
+//     // root_kernel.inl
 //     #include "hexoderm/base/lanes.inl"
 //     HEXODERM_INLINE void roots(double* numbers) { store(numbers, rootOf(load(numbers))); }  // of kWidth numbers
 //
 //     // root_kernel_avx2.cpp; root_kernel.cpp does the same with 2 lanes
 //     #define HEXODERM_LANES 4
-//     #include "root_kernel_text.h"
+//     #include "root_kernel.inl"
 //     void rootsByFour(double* numbers) { roots(numbers); }
 
 #ifndef HEXODERM_LANES

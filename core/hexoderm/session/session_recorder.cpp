@@ -1,6 +1,7 @@
 #include "hexoderm/session/session_recorder.h"
 
 #include "hexoderm/base/error.h"
+#include "hexoderm/session/sample_blobs.h"
 
 #include <condition_variable>
 #include <deque>

@@ -1,4 +1,4 @@
-// PLY, STL, OBJ and glTF: what we read of them, as Assimp does (mesh/second_opinion_test.cpp), and what a reader of
+// PLY, STL, OBJ and glTF: what we read of them, as Assimp does (robots/second_opinion_test.cpp), and what a reader of
 // meshes passes over: colours, normals, names and nodes.
 
 #include "hexoderm/io/exporter.h"
