@@ -50,7 +50,8 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", cli::versionText, "Display version, commit, formats and libraries, and exit");
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done; 1 the result is not good enough, and the output is still written: the verdict is not_enough\n"
+      "Exit codes: 0 done; 1 the result is not good enough, and the output is still written: the verdict is "
+      "not_enough\n"
       "or failed, no pose was captured, check found changes, listen an obstacle, sensors, parts, links or place can't\n"
       "tell; 2 usage; 3 bad input; 4 device; 5 storage; 130 interrupted.\n\n"
       "A first calibration, of a simulated skin:\n"

@@ -25,8 +25,7 @@ struct LiveCaptureOptions {
   std::filesystem::path record_to{};  ///< what the device sends, for replay:FILE; empty: it is not kept
   std::size_t poses = 0;              ///< so many are enough; 0: as the verdict on the result says
   /// The device is asked to turn itself, to where each pose helps most. Without it somebody turns the part; next() then
-  /// waits without limit, use `stop`. A device that only it can turn needs it, or
-  /// turnToNextPose().
+  /// waits without limit, use `stop`. A part that nobody but the device can turn needs it, or turnToNextPose().
   bool automatic = false;
   bool keep_raw = false;  ///< keeps every sample of the poses in the file too
   double timeout_s = 30;  ///< to wait for a device to describe itself; with `automatic` also for each pose

@@ -1,4 +1,5 @@
-// The figures of core/hexoderm/mounting/attachment/README.md: links_figures [SEEDS [LEVER_M]]. No test, because it takes minutes.
+// The figures of core/hexoderm/mounting/attachment/README.md: links_figures [SEEDS [LEVER_M]]. No test, because it
+// takes minutes.
 
 #include "tests/core/mounting/attachment/simulated_links.h"
 
