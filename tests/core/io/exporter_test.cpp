@@ -1,5 +1,6 @@
 #include "hexoderm/io/exporter.h"
 
+#include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/sim/simulated_session.h"
@@ -206,6 +207,7 @@ TEST(ExportFormats, AreFoundByName) {
     EXPECT_EQ(format.extension.empty(), format.format == ExportFormat::Csv);
     extensions.insert(format.extension);
   }
+  EXPECT_EQ(exportFormats().size(), enumeratorCount<ExportFormat>()) << "a format without a row";
   EXPECT_EQ(extensions.size(), exportFormats().size()) << "files of a bundle need names of their own";
 }
 
