@@ -159,7 +159,12 @@ TEST(Emulator, CellsBreakAndAreMendedByWhatIsTyped) {
   const Emulator emulator({"--tcp", "0", "--fault", "no-samples:2"});
   Host host(emulator.address);
   ASSERT_TRUE(host.waitForFrames(1));
-  const std::tuple<const char*, const char*, std::size_t> typed[] = {
+  struct Typed {
+    const char* line;
+    const char* answer;
+    std::size_t cells;  // that send after it
+  };
+  const Typed all_typed[] = {
       {"turn 1 0 0", "turning", 16},
       {"mend 2", "whole", 17},
       {"break no-samples 5", "cell 5 is broken: no-samples", 16},
@@ -167,10 +172,10 @@ TEST(Emulator, CellsBreakAndAreMendedByWhatIsTyped) {
       {"break wrong-port 3 1", "starts again", 17},
       {"mend 3 1", "whole", 17},
       {"break no-answer 5", "explore again", 17}};
-  for (const auto& [line, answer, cells] : typed) {
-    EXPECT_THAT(emulator.type(line), HasSubstr(answer)) << line;
-    EXPECT_TRUE(host.listener.waitFor([&](const Delivered& d) { return d.frames.back().samples.size() == cells; }))
-        << line;
+  for (const Typed& typed : all_typed) {
+    EXPECT_THAT(emulator.type(typed.line), HasSubstr(typed.answer)) << typed.line;
+    const auto typedCellsSend = [&](const Delivered& d) { return d.frames.back().samples.size() == typed.cells; };
+    EXPECT_TRUE(host.listener.waitFor(typedCellsSend)) << typed.line;
   }
 }
 
