@@ -63,7 +63,7 @@ class FindingPresenter : public Presenter {
   static LinkEnd firstEnd(const Finding& finding) { return {finding.cells[0], finding.ports[0]}; }
   static LinkEnd secondEnd(const Finding& finding) { return {finding.cells[1], finding.ports[1]}; }
 
-  /// It is about what the skin said of itself, before any pose was measured.
+  /// It is about the topology or a link, not about a cell's readings, a pose or the estimate, by the order of codes.
   static bool isAboutTheReport(const Finding& finding) { return finding.code <= FindingCode::ContradictsModel; }
 
   void showAll() {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The motion of one cell, judged by its readings of the last second.
+// The motion of one cell, judged by its readings in the window of the drift and in that of the hold.
 
 #include "hexoderm/capture/sample_slots.h"
 

@@ -89,7 +89,7 @@ class PoseRecorderListener {
   virtual void onPreview(SkinPreview preview) = 0;  ///< the newest readings, for the operator
 };
 
-/// Turns a stream of frames into poses (step 8 of the paper's Algorithm 1): when the part is still and
+/// Turns a stream of frames into poses (line 8 of the paper's Algorithm 1): when the part is still and
 /// has been moved since the last capture, it takes samples of every cell; if the part moves meanwhile, they are
 /// discarded.
 ///

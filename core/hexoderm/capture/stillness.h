@@ -19,7 +19,7 @@ struct StillnessOptions {
   double hold_s = 0.5;            ///< for so long
   double drift_window_s = 0.75;   ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
                                   ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn, and
-                                  ///< up to 5 s where noise asks for it
+                                  ///< up to 5 s or kSlots slots where noise asks for it
   double rearm_angle_rad = 0;     ///< after a capture, a move by more than this; constructor: 5 degrees
   double release_factor = 1.25;   ///< a still part stays still up to this multiple of the limits
   double quiet_fraction = 0.1;    ///< this share of the cells must be below the excess limit, or ...

@@ -351,7 +351,7 @@ struct StillnessDetector::State {
     nameMisbehaving();
     result.still = result.blocker == Blocker::None;
     if (result.still) {
-      // It was still for as long as the judgement's window when it is first found so.
+      // A part that is first found still has been so for hold_s.
       if (!was_still) still_since_s = slots.end_s() - options.hold_s;
       result.still_for_s = slots.end_s() - still_since_s;
       for (CellState& cell : cells) {

@@ -18,10 +18,10 @@ namespace hexoderm {
 ///   the cell's noise; over the cells, the median. All cells of a rigid part see gravity turn by the same angle per
 ///   second, wherever they are. Noise is what the readings show: their deviations from a straight line in this window,
 ///   times how much more the means of parts of it scatter (learned while the part does not turn), so that it may be
-///   vibration of any colour. Where it would drown the limit the window grows, up to 5 s, and no further than it must:
-///   before that the part may have moved. A part turns if its drift exceeds the limit by more than noise explains; as
-///   long as there is no telling, the blocker is Waiting. A turn about gravity can't be seen, and adds nothing to a
-///   pose.
+///   vibration of any colour. Where it would drown the limit the window grows, up to 5 s or kSlots slots, and no
+///   further than it must: before that the part may have moved. A part turns if its drift exceeds the limit by more
+///   than noise explains; as long as there is no telling, the blocker is Waiting. A turn about gravity can't be seen,
+///   and adds nothing to a pose.
 /// - excess: per cell, sqrt(max(0, variance - floor^2)) per axis over hold_s; over the cells, the value that
 ///   quiet_fraction of them (quiet_cells, if that is less) stay below; the limit is higher by two standard errors where
 ///   a few samples say little. Shaking and turning move all cells alike, and one moves more than another only because

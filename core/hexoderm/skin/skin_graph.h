@@ -33,7 +33,7 @@ struct GraphLink {
   [[nodiscard]] std::size_t other(std::size_t cell) const { return cell == source ? target : source; }
 };
 
-/// The skin as a graph (steps 2 to 6 of the paper's Algorithm 1): cells, links, patches, and a finding for every report
+/// The skin as a graph (lines 2 to 6 of the paper's Algorithm 1): cells, links, patches, and a finding for every report
 /// that could not be used. Interface edges and edges between different known body parts are left out of the patches;
 /// every kind of bad link is muted and named, and the rest still makes a graph.
 class SkinGraph {

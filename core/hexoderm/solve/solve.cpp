@@ -27,9 +27,9 @@ Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, co
 
 }  // namespace
 
-/// The paper's Algorithm 1 in its reconstruction loop (lines 7 to 16), which the session runs anew with each pose. What
-/// it says of sound skins holds for real ones as soon as all that is broken is left out, so the estimate is repeated
-/// until nothing in it contradicts the model.
+/// Lines 1 to 16 of the paper's Algorithm 1 for the poses of one snapshot. The paper repeats lines 7 to 16 with each
+/// new pose; here whoever calls does. The loop is not the paper's: it excludes one explanation of faults at a time and
+/// estimates again, until no explainer finds anything that contradicts the model.
 std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const SolverOptions& options,
                                           const Reconstruction* earlier, const std::stop_token& stop,
                                           SolveProgress* progress) {

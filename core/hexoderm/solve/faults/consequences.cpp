@@ -13,7 +13,7 @@ namespace {
 
 using PatchPair = std::pair<PatchId, PatchId>;
 
-/// A link that the skin would have if it were one.
+/// About a link that joins two parts of a patch, unless it is no skin link.
 bool isAboutUsableLink(FindingCode code) {
   constexpr std::array kCodes = {FindingCode::ImplausibleBend,  FindingCode::ImplausibleTwist,
                                  FindingCode::ImplausibleYaw,   FindingCode::LinkNotRigid,
