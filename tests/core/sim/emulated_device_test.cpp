@@ -1,6 +1,5 @@
 #include "hexoderm/sim/emulated_device.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
@@ -8,17 +7,12 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/support/options.h"
 #include "tests/support/paths.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using test::with;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::SizeIs;
 using Messages = EmulatedDevice::Messages;
 
 /// A device and a host that asks and listens, without anything between them.

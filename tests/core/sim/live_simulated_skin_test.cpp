@@ -1,12 +1,7 @@
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_skin.h"
-
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

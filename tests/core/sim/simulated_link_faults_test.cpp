@@ -1,17 +1,13 @@
 // Effects of faulty links on a simulated skin's reports, readings and truth.
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "hexoderm/skin/skin_graph.h"
 #include "tests/core/sim/standard_skin.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <Eigen/LU>
-#include <algorithm>
-#include <set>
 #include <tuple>
 
 namespace hexoderm {

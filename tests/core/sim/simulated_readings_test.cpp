@@ -1,17 +1,12 @@
 // Readings of the simulated skin's accelerometers.
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/device/pose_capture.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/sim/standard_skin.h"
 #include "tests/support/options.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <array>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -2,18 +2,13 @@
 
 #include "hexoderm/sim/simulated_skin.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/surface.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/skin_graph.h"
 #include "tests/core/sim/standard_skin.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <limits>
-#include <string>
 #include <tuple>
 
 namespace hexoderm {

@@ -3,10 +3,7 @@
 // Patches on the links of an arm, which see gravity with errors that are known exactly.
 
 #include "tests/core/mounting/attachment/links_tally.h"
-
-#include <memory>
-#include <string>
-#include <utility>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 

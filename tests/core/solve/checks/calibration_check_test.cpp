@@ -1,21 +1,13 @@
 #include "hexoderm/solve/checks/calibration_check.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <random>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 
@@ -23,15 +15,7 @@ void PrintTo(CellChange change, std::ostream* out) { *out << cellChangeName(chan
 
 namespace {
 
-using ::testing::AllOf;
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::Field;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Lt;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 using Ups = std::vector<Eigen::Vector3d>;
 

@@ -3,10 +3,7 @@
 #include "hexoderm/solve/checks/cell_change.h"
 #include "hexoderm/base/units.h"
 #include "tests/support/matchers.h"
-
-#include <algorithm>
-#include <random>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -5,14 +5,10 @@
 #include "tests/support/estimated_links.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::Field;
 
 /// Excludes what neighbouring cells show, until there is nothing left.
 void explainAll(Estimate& estimate) {

@@ -5,20 +5,12 @@
 #include "tests/support/changed_session.h"
 #include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
-
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using ::testing::EndsWith;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 /// The link between two neighbours.
 std::pair<LinkEnd, LinkEnd> linkBetween(const Session& session, CellId a, CellId b) {

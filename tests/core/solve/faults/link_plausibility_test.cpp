@@ -1,17 +1,10 @@
 #include "hexoderm/solve/faults/link_plausibility.h"
 
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// `elastomer_deg`: deviation of the model's bend, twist and yaw alike; so wide that only the options' limits count.
 std::vector<Finding> judge(double bend_deg, double twist_deg, double yaw_deg, double sigma_deg = 0,

@@ -1,32 +1,17 @@
 // Faults of topology and poses: bad reports and bad sensors become findings, the rest is solved, and nothing is NaN.
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/neighbor_lists.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::ElementsAre;
-using ::testing::Field;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 /// A finding whose message matches.
 template <class T>

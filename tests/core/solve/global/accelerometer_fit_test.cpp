@@ -5,12 +5,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/global/rigidity.h"
 #include "tests/support/matchers.h"
-
-#include <Eigen/Dense>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <utility>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

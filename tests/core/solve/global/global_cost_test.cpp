@@ -3,12 +3,9 @@
 #include "hexoderm/solve/global/linearize_kernels.h"
 #include "tests/core/solve/global/joint_case.h"
 #include "tests/support/matchers.h"
+#include "tests/support/testing.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
 
 namespace hexoderm {
 namespace {

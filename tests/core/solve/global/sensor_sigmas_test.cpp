@@ -3,13 +3,10 @@
 #include "hexoderm/solve/global/sensor_sigmas.h"
 
 #include "tests/support/normal_draw.h"
-
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <cmath>
-#include <vector>
 
 namespace hexoderm {
 namespace {

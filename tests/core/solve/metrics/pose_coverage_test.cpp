@@ -6,11 +6,7 @@
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/result_builder.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -3,10 +3,7 @@
 #include "hexoderm/base/units.h"
 #include "tests/support/matchers.h"
 #include "tests/support/result_builder.h"
-
-#include <cmath>
-#include <functional>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,15 +1,9 @@
 #include "hexoderm/solve/sparse/block_cholesky.h"
 #include "tests/core/solve/sparse/block_systems.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <numeric>
-#include <random>
-#include <string>
 
 namespace hexoderm {
 namespace {
