@@ -325,7 +325,7 @@ TEST(SimulatedSkin, RefusesLinkFaultsThatCannotBeAndSaysWhy) {
       {"ring8:closed", {fault(kCable, 8, 3)}, "holds both its sides together"},
   };
   for (const auto& [patch, faults, reason] : refused) {
-    EXPECT_THAT(test::messageOf<InvalidArgument>([&, patch = patch, &faults = faults] { ideal(patch, faults); }),
+    EXPECT_THAT(messageOf<InvalidArgument>([&, patch = patch, &faults = faults] { ideal(patch, faults); }),
                 testing::HasSubstr(reason));
   }
 }

@@ -250,7 +250,7 @@ TEST(Reconstructor, RefusesOptionsOutOfRange) {
   EXPECT_THROW(solve(session, test::with(&SolverOptions::class_threshold, 0)), InvalidArgument);
   EXPECT_THROW(solve(session, test::with(&SolverOptions::class_threshold, std::nan(""))), InvalidArgument);
   const auto without_99 = test::with(&SolverOptions::left_out, {CellId(99)});
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { solve(session, without_99); }), ::testing::HasSubstr("99"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { solve(session, without_99); }), ::testing::HasSubstr("99"));
   EXPECT_THROW(solverFromName("magic"), InvalidArgument);
   EXPECT_THROW(gapModelFromName("rubber"), InvalidArgument);
   for (const Solver solver : {Solver::Global, Solver::Tree}) EXPECT_EQ(solverFromName(solverName(solver)), solver);

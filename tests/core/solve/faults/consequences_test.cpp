@@ -31,19 +31,6 @@ std::vector<Finding> saidOf(const Session& session, const SolverOptions& options
   return findings;
 }
 
-std::vector<Finding> saidWithout(CellId cell) {
-  return saidOf(bentX17().session(orthogonalUps(3)), test::with(&SolverOptions::left_out, {cell}));
-}
-
-TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {
-  Session session = bentX17().session(orthogonalUps(3));
-  const auto [a, b] = linkBetween(session, CellId(1), CellId(2));
-  session.setLinkMuted(a, b, true);
-  const std::vector<Finding> findings = saidOf(session);
-  ASSERT_THAT(findings, SizeIs(1));
-  EXPECT_THAT(findings[0].message.english(), EndsWith("the patch is split there."));
-}
-
 TEST(Consequences, ARingIsSplitWithoutTwoOfItsLinksButNotWithoutOne) {
   PinJointedSkin ring = ringOfEight(45 * kDegree);
   ring.connect(kRingFirst, kRingLast);
@@ -73,14 +60,9 @@ TEST(Consequences, NobodyCallsTheBorderOfABodyPartASplit) {
   EXPECT_THAT(findings[0].message.english(), EndsWith("arm and hand; the patch ends there."));
 }
 
-TEST(Consequences, PartsThatACellWithoutReadingsAloneConnectsAreLessCertain) {
-  const std::vector<Finding> findings = saidWithout(CellId(2));
-  ASSERT_THAT(findings, SizeIs(1));
-  EXPECT_THAT(findings[0].message.english(), EndsWith("whose relative placement is less certain."));
-}
-
 TEST(Consequences, ALeafWithoutReadingsConnectsNothing) {
-  const std::vector<Finding> findings = saidWithout(CellId(17));
+  const auto without = test::with(&SolverOptions::left_out, {CellId(17)});
+  const std::vector<Finding> findings = saidOf(bentX17().session(orthogonalUps(3)), without);
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_THAT(findings[0].message.english(), EndsWith("placed through its links."));
 }

@@ -55,7 +55,7 @@ TEST(LinkPlausibility, LimitsFollowFromTheModelsElastomerAndTheLinksOwnDeviation
 TEST(LinkPlausibility, SaysWhichLinkAndHowFar) {
   const std::vector<Finding> findings = judge(0, 0, 118);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_THAT(findings[0].message.english(), test::saysAll("link 5 port 2 - 9 port 3", "118 degrees", "40"));
+  EXPECT_THAT(findings[0].message.english(), saysAll("link 5 port 2 - 9 port 3", "118 degrees", "40"));
   EXPECT_EQ(findings[0].cells, (std::vector{CellId(5), CellId(9)}));
   EXPECT_EQ(findings[0].ports, (std::vector{PortNumber(2), PortNumber(3)}));
 }

@@ -152,32 +152,6 @@ TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   EXPECT_LT(sigmas.shared_offset_g.worth, 3);
 }
 
-TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
-  NormalDraw draw(4);
-  const Accelerometer truth = accelerometer(0.03, 0.02, 0.01, 0.008);
-  const Eigen::VectorXd x = drawErrors(truth, 8, {0.03, -0.02, 0.01}, draw);
-  const SensorEvidence evidence = seen(mixedInformation(x.size(), draw), x, draw);
-  const SensorSigmas sigmas = estimateSensorSigmas(std::vector{evidence}, accelerometer(0.06, 0, 0.02, 0.005));
-  const double shared = std::pow(sigmas.shared_offset_g.sigma, 2);
-  const double own = std::pow(sigmas.offset_g.sigma, 2) - shared;
-  Eigen::VectorXd diagonal(x.size());
-  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(x.size(), x.size());
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    const SensorError kind = kindOfParameter(k);
-    L(k, k) = kind == SensorError::Offset  ? own
-              : kind == SensorError::Scale ? std::pow(sigmas.scale.sigma, 2)
-                                           : std::pow(sigmas.cross_axis.sigma, 2);
-    for (Eigen::Index l = k % kSensorParameters; kind == SensorError::Offset && l < x.size(); l += kSensorParameters) {
-      L(k, l) += shared;
-    }
-  }
-  const Eigen::MatrixXd covariance = (evidence.information + L.inverse()).inverse();
-  const Eigen::VectorXd mean = covariance * evidence.weighted;
-  const Eigen::VectorXd moments = mean.cwiseAbs2() + covariance.diagonal();
-  EXPECT_NEAR(rootMeanOf(SensorError::Scale, moments), sigmas.scale.sigma, 1e-3 * sigmas.scale.sigma);
-  EXPECT_NEAR(rootMeanOf(SensorError::CrossAxis, moments), sigmas.cross_axis.sigma, 1e-3 * sigmas.cross_axis.sigma);
-}
-
 TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
   const SensorEvidence nothing{Eigen::MatrixXd::Zero(60, 60), Eigen::VectorXd::Zero(60)};
   const Accelerometer model = accelerometer(0.06, 0.01, 0.02, 0.005);

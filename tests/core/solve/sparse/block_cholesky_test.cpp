@@ -63,17 +63,6 @@ TEST_P(BlockCholeskyGraphs, InvertsOnThePattern) {
   }
 }
 
-TEST_P(BlockCholeskyGraphs, EliminationOrdersNameEachRowOnce) {
-  const Graph& graph = system_.graph;
-  for (std::vector<std::size_t> order : {minimumDegreeOrder(graph.size, graph.couples),
-                                         minimumDegreeOrder(graph.size, graph.couples, Numbering::Backwards),
-                                         dissectionOrder(graph.size, graph.couples)}) {
-    ASSERT_EQ(order.size(), graph.size);
-    std::sort(order.begin(), order.end());
-    for (std::size_t k = 0; k < order.size(); ++k) EXPECT_EQ(order[k], k);
-  }
-}
-
 INSTANTIATE_TEST_SUITE_P(BlockCholesky, BlockCholeskyGraphs,
                          ::testing::Values(Graph{"None", 0, {}}, Graph{"Single", 1, {}}, Graph{"Apart", 9, {}},
                                            chain(2), chain(40), ring(3), ring(41), lattice(9, 8), lattice(30, 2),
