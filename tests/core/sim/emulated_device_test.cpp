@@ -408,13 +408,6 @@ TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
   EXPECT_NE(stands, standing[0].position);
 }
 
-TEST(EmulatedDevice, TurnsNoFixedBase) {
-  Bench bench(skinnedArm());
-  EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
-  bench.device.turnToNextPose(bench.heard);
-  EXPECT_TRUE(bench.device.body().turning());
-}
-
 TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {
   std::string urdf = "<robot name='long'><link name='link0'/>";
   for (int k = 1; k <= 40; ++k) {

@@ -355,19 +355,5 @@ TEST(FindAttitude, DoesNotTurnAboutTheOnlyDirectionThereIs) {
   EXPECT_LT(v.dot(own.information * v), 1e-3 * own.information.norm());
 }
 
-TEST(Misfit, WithTheMostProbableErrorsIsTwiceTheFitsCostAndWithOthersMore) {
-  Draw draw(11);
-  const Accelerometer sigmas;
-  const AccelerometerPrior prior(sigmas);
-  const Readings readings = drawReadings(drawSensor(sigmas, draw), 5, draw);
-  const AccelerometerFit best = fit(sigmas, readings);
-  const double least = misfitWith(prior, readings.of, readings.v_g, best.offset_g, best.gain);
-  EXPECT_NEAR(least, 2 * best.cost, 1e-9 * (1 + best.cost));
-  for (int k = 0; k < 20; ++k) {
-    const Sensor other = drawSensor(sigmas, draw);
-    EXPECT_GT(misfitWith(prior, readings.of, readings.v_g, other.offset_g, other.gain), least);
-  }
-}
-
 }  // namespace
 }  // namespace hexoderm

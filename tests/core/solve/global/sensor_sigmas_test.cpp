@@ -63,17 +63,6 @@ TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
   }
 }
 
-TEST(SensorEvidence, NoPriorLeavesTheInformationAndNoReadingLeavesNothing) {
-  NormalDraw draw(2);
-  const SensorEvidence evidence{mixedInformation(12, draw), drawMatrix(draw, 12)};
-  const WeighedEvidence weighed = weigh(evidence, Eigen::VectorXd::Zero(12));
-  EXPECT_EQ(weighed.precision, evidence.information);
-  EXPECT_EQ(weighed.weighted, evidence.weighted);
-  const SensorEvidence nothing = ownEvidence({}, {});
-  EXPECT_TRUE(nothing.information.isZero());
-  EXPECT_TRUE(nothing.weighted.isZero());
-}
-
 TEST(SensorEvidence, ReadingsOfACellSayWhatASmallTurnDoesNotExplain) {
   // Readings of the cube's six directions that are only turned tell of no error; the symmetric part of the cross-axis
   // sensitivity, scale and offset are seen.
