@@ -266,18 +266,6 @@ TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
   EXPECT_LT(bench.take<skinwire::Topology>().at(0).cells.size(), 17U);
 }
 
-TEST(EmulatedDevice, CellsBreakAndAreMendedWhileItRuns) {
-  Bench bench(quantised());
-  EXPECT_EQ(bench.nextCells(), 17U);
-  bench.device.breakCell({SkinFault::NoSamples, CellId(4)});
-  EXPECT_EQ(bench.nextCells(), 16U);
-  bench.device.mendCell(CellId(4));
-  EXPECT_EQ(bench.nextCells(), 17U);
-  EXPECT_THROW(bench.device.breakCell({SkinFault::Dead, CellId(99)}), InvalidArgument);
-  EXPECT_THROW(bench.device.breakController(CellId(99)), InvalidArgument);
-  EXPECT_THROW(bench.device.breakPort({PortFaultKind::Deaf, {CellId(1), PortNumber(9)}}), InvalidArgument);
-}
-
 TEST(EmulatedDevice, AnotherMouldIsAnotherStart) {
   Bench bench(quantised());
   bench.tick(50);

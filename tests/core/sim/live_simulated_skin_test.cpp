@@ -95,22 +95,6 @@ TEST(SimulatedRobotMotion, TurnsAboutOneAxisAndHolds) {
   EXPECT_LT(longest_s, 8.2);
 }
 
-TEST(SimulatedRobotMotion, FollowsFromItsSeed) {
-  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
-  SimulatedSkin first = x17(options), second = x17(options);
-  options.seed = 2;
-  SimulatedSkin other = x17(options);
-  bool differs = false;
-  for (int tick = 0; tick < 400; ++tick) {
-    const SampleFrame a = first.next(), b = second.next(), c = other.next();
-    for (std::size_t cell = 0; cell < a.samples.size(); ++cell) {
-      EXPECT_EQ(a.samples[cell].acceleration_g, b.samples[cell].acceleration_g);
-      differs |= a.samples[cell].acceleration_g != c.samples[cell].acceleration_g;
-    }
-  }
-  EXPECT_TRUE(differs);
-}
-
 TEST(SimulatedRobotMotion, RefusesAVibrationThatEndsBeforeItBegins) {
   SimulatedSkinOptions options = SimulatedSkinOptions::robot();
   options.least_vibration_g = 0.04;

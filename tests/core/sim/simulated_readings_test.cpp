@@ -266,8 +266,12 @@ TEST(SimulatedHand, ReadingsAreTheDerivativesOfOneRigidMotion) {
   }
 }
 
-TEST(SimulatedSkinSeed, RepeatsEverythingAndAnotherOneNothing) {
-  SimulatedSkinOptions options;
+class SimulatedSkinSeed : public testing::TestWithParam<SimulatedSkinOptions> {};
+INSTANTIATE_TEST_SUITE_P(Motions, SimulatedSkinSeed,
+                         testing::Values(SimulatedSkinOptions(), SimulatedSkinOptions::robot()));
+
+TEST_P(SimulatedSkinSeed, RepeatsEverythingAndAnotherOneNothing) {
+  SimulatedSkinOptions options = GetParam();
   SimulatedSkin a(kModel, options);
   SimulatedSkin b(kModel, options);
   options.seed = 2;

@@ -1,7 +1,7 @@
 #include "hexoderm/solve/faults/consequences.h"
 
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/faults/requested_exclusions.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
@@ -19,16 +19,8 @@ std::pair<LinkEnd, LinkEnd> linkBetween(const Session& session, CellId a, CellId
   return {{a, neighbor->port}, {b, neighbor->cell_port.value()}};
 }
 
-/// What is said of the links that are set aside and the cells that are left out.
 std::vector<Finding> saidOf(const Session& session, const SolverOptions& options = {}) {
-  const auto snapshot = session.snapshot();
-  std::vector<Finding> findings;
-  SkinLinks skin(*snapshot, options, findings);
-  setLinksAside(skin, findings);
-  leaveOutCells(skin, findings);
-  skin.estimateEdges();
-  addConsequences(skin, findings);
-  return findings;
+  return reconstruct(*session.snapshot(), options)->findings;
 }
 
 TEST(Consequences, ARingIsSplitWithoutTwoOfItsLinksButNotWithoutOne) {
