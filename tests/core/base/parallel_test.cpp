@@ -12,7 +12,6 @@
 namespace hexoderm {
 namespace {
 
-using testing::Each;
 using testing::Pair;
 
 class Parallel : public testing::Test {

@@ -149,25 +149,6 @@ void expectMinimum(const Points& points, const SurfaceFit& fit) {
   }
 }
 
-TEST(CylinderFit, IsAMinimumWithNoise) {
-  const Points points = noisy(0.0005, crossOnCylinder(0.0501, 120 * kDegree));
-  const SurfaceFit fit = fitCylinder(points);
-  EXPECT_NEAR(fit.radius_m, 0.0501, 0.002);
-  EXPECT_LT(angleBetweenAxes(fit.axis, Eigen::Vector3d::UnitZ()), 2 * kDegree);
-  expectMinimum(points, fit);
-}
-
-TEST(CylinderFit, DoesNotDependOnUnitsPlaceOrOrder) {
-  const Points points = noisy(0.0005, crossOnCylinder(0.0501, 2));
-  const SurfaceFit fit = fitCylinder(points);
-  Points reversed(points.rbegin(), points.rend());
-  EXPECT_NEAR(fitCylinder(reversed).radius_m, fit.radius_m, 1e-9);
-  EXPECT_NEAR(fitCylinder(moved(kSomewhere, points)).radius_m, fit.radius_m, 1e-9);
-  EXPECT_LT(angleBetweenAxes(fitCylinder(moved(kSomewhere, points)).axis, kSomewhere.R * fit.axis), 1e-7);
-  EXPECT_NEAR(fitCylinder(scaled(1e6, points)).radius_m / 1e6, fit.radius_m, 1e-9);
-  EXPECT_NEAR(fitCylinder(scaled(1e-6, points)).radius_m * 1e6, fit.radius_m, 1e-9);
-}
-
 TEST(CylinderFit, FindsALongThinAndAShortWideCylinder) {
   for (const double height : {0.004, 1.0}) {
     Points points;
@@ -178,14 +159,6 @@ TEST(CylinderFit, FindsALongThinAndAShortWideCylinder) {
     EXPECT_NEAR(fit.radius_m, 0.05, 1e-9) << height;
     EXPECT_LT(angleBetweenAxes(fit.axis, kSomewhere.R.col(2)), 1e-8) << height;
   }
-}
-
-TEST(CylinderFit, NearlyFlatPointsGiveFiniteNumbers) {
-  const SurfaceFit fit = fitCylinder(noisy(1e-6, onPlane()));
-  EXPECT_TRUE(std::isfinite(fit.radius_m));
-  EXPECT_TRUE(fit.point.allFinite());
-  EXPECT_TRUE(fit.axis.allFinite());
-  EXPECT_LT(rms(fit.distance_m), 1e-5);
 }
 
 /// Points on a cone about z that widens upwards, apex at the origin, over part of its circumference.
@@ -217,11 +190,26 @@ TEST_P(ConeAngle, IsExactWithoutNoise) {
 INSTANTIATE_TEST_SUITE_P(Cones, ConeAngle,
                          testing::Combine(testing::Values(5.0, 20.0, 45.0, 70.0), testing::Values(90.0, 200.0, 300.0)));
 
-TEST(ConeFit, IsAMinimumWithNoise) {
-  const Points points = noisy(0.0005, onCone(0.4, 0.05, 4));
-  const SurfaceFit fit = fitCone(points);
-  EXPECT_NEAR(fit.half_angle_rad, 0.4, 0.05);
-  expectMinimum(points, fit);
+TEST(SurfaceFits, OfNoisyPointsAreMinimaWhateverTheirUnitsPlaceAndOrder) {
+  for (const auto& [fitted, points, radius_m, half_angle_rad] :
+       {std::tuple(fitCylinder, noisy(0.0005, crossOnCylinder(0.0501, 2)), 0.0501, 0.0),
+        std::tuple(fitCone, noisy(0.0005, onCone(0.4, 0.05, 4)), 0.08 * std::tan(0.4), 0.4)}) {
+    const SurfaceFit fit = fitted(points);
+    EXPECT_NEAR(fit.radius_m, radius_m, 0.002);
+    EXPECT_NEAR(fit.half_angle_rad, half_angle_rad, 0.05);
+    EXPECT_LT(angleBetweenAxes(fit.axis, Eigen::Vector3d::UnitZ()), 2 * kDegree);
+    expectMinimum(points, fit);
+    const auto expectSame = [&](const SurfaceFit& other, double unit_m, const Eigen::Matrix3d& R) {
+      EXPECT_NEAR(other.radius_m / unit_m, fit.radius_m, 1e-8);
+      EXPECT_NEAR(other.half_angle_rad, fit.half_angle_rad, 1e-7);
+      EXPECT_LT(angleBetweenAxes(other.axis, R * fit.axis), 1e-6);
+    };
+    const Eigen::Matrix3d same = Eigen::Matrix3d::Identity();
+    expectSame(fitted(Points(points.rbegin(), points.rend())), 1, same);
+    expectSame(fitted(moved(kSomewhere, points)), 1, kSomewhere.R);
+    expectSame(fitted(scaled(1e6, points)), 1e6, same);
+    expectSame(fitted(scaled(1e-6, points)), 1e-6, same);
+  }
 }
 
 TEST(ConeFit, OfACylinderIsTheCylinder) {
@@ -234,20 +222,14 @@ TEST(ConeFit, OfACylinderIsTheCylinder) {
 TEST(ConeFit, IsNeverWorseThanTheCylinder) {
   for (const Points& points : {noisy(0.0005, crossOnCylinder(0.0501, 2)), noisy(0.001, onSphere(0.08, 0.8)),
                                noisy(1e-6, onPlane()), noisy(0.001, onCone(0.3, 0.1, 1))}) {
+    const SurfaceFit cylinder = fitCylinder(points);
     const SurfaceFit cone = fitCone(points);
-    EXPECT_LE(rms(cone.distance_m), rms(fitCylinder(points).distance_m) * (1 + 1e-6));
-    EXPECT_TRUE(cone.point.allFinite() && cone.axis.allFinite() && std::isfinite(cone.radius_m));
+    EXPECT_LE(rms(cone.distance_m), rms(cylinder.distance_m) * (1 + 1e-6));
+    for (const SurfaceFit& fit : {cylinder, cone}) {
+      EXPECT_TRUE(fit.point.allFinite() && fit.axis.allFinite() && std::isfinite(fit.radius_m));
+    }
     EXPECT_GE(cone.half_angle_rad, 0);
   }
-}
-
-TEST(ConeFit, DoesNotDependOnUnitsPlaceOrOrder) {
-  const Points points = noisy(0.0005, onCone(0.4, 0.05, 4));
-  const SurfaceFit fit = fitCone(points);
-  EXPECT_NEAR(fitCone(Points(points.rbegin(), points.rend())).half_angle_rad, fit.half_angle_rad, 1e-7);
-  EXPECT_NEAR(fitCone(moved(kSomewhere, points)).half_angle_rad, fit.half_angle_rad, 1e-7);
-  EXPECT_LT((fitCone(moved(kSomewhere, points)).axis - kSomewhere.R * fit.axis).norm(), 1e-6);
-  EXPECT_NEAR(fitCone(scaled(1e6, points)).radius_m / 1e6, fit.radius_m, 1e-8);
 }
 
 TEST(SurfaceFits, DistanceIsPositiveOutside) {

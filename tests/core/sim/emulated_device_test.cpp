@@ -1,6 +1,5 @@
 #include "hexoderm/sim/emulated_device.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/description.h"
@@ -8,17 +7,12 @@
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/support/options.h"
 #include "tests/support/paths.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using test::with;
-using testing::ElementsAre;
-using testing::HasSubstr;
-using testing::SizeIs;
 using Messages = EmulatedDevice::Messages;
 
 /// A device and a host that asks and listens, without anything between them.
@@ -272,18 +266,6 @@ TEST(EmulatedDevice, ExploresAgainAndLosesWhatDoesNotAnswer) {
   EXPECT_LT(bench.take<skinwire::Topology>().at(0).cells.size(), 17U);
 }
 
-TEST(EmulatedDevice, CellsBreakAndAreMendedWhileItRuns) {
-  Bench bench(quantised());
-  EXPECT_EQ(bench.nextCells(), 17U);
-  bench.device.breakCell({SkinFault::NoSamples, CellId(4)});
-  EXPECT_EQ(bench.nextCells(), 16U);
-  bench.device.mendCell(CellId(4));
-  EXPECT_EQ(bench.nextCells(), 17U);
-  EXPECT_THROW(bench.device.breakCell({SkinFault::Dead, CellId(99)}), InvalidArgument);
-  EXPECT_THROW(bench.device.breakController(CellId(99)), InvalidArgument);
-  EXPECT_THROW(bench.device.breakPort({PortFaultKind::Deaf, {CellId(1), PortNumber(9)}}), InvalidArgument);
-}
-
 TEST(EmulatedDevice, AnotherMouldIsAnotherStart) {
   Bench bench(quantised());
   bench.tick(50);
@@ -412,13 +394,6 @@ TEST(EmulatedDevice, ARobotSaysWhereItsJointsStand) {
   for (const auto& [name, position] : bench.device.body().jointAngles().positions) stands.push_back(position);
   EXPECT_EQ(arrived[0].position, stands);
   EXPECT_NE(stands, standing[0].position);
-}
-
-TEST(EmulatedDevice, TurnsNoFixedBase) {
-  Bench bench(skinnedArm());
-  EXPECT_THROW(bench.device.turnTo(Eigen::Vector3d::UnitX(), bench.heard), InvalidArgument) << "its base is fixed";
-  bench.device.turnToNextPose(bench.heard);
-  EXPECT_TRUE(bench.device.body().turning());
 }
 
 TEST(EmulatedDevice, NamesOfJointsHaveToFitIntoAMessage) {

@@ -1,21 +1,13 @@
 #include "hexoderm/sim/exploration.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/support/options.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <map>
-#include <set>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using test::with;
-using testing::ElementsAre;
-using testing::IsEmpty;
 
 struct Explored {
   NeighborList truth;

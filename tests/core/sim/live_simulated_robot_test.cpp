@@ -1,23 +1,13 @@
 #include "hexoderm/sim/robot_text.h"
 #include "hexoderm/sim/simulated_robot.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <memory>
 #include <stdexcept>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using testing::SizeIs;
 
 RobotText idealDemo() {
   RobotText words;

@@ -1,12 +1,7 @@
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_skin.h"
-
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -98,22 +93,6 @@ TEST(SimulatedRobotMotion, TurnsAboutOneAxisAndHolds) {
   }
   EXPECT_GE(holds, 8);
   EXPECT_LT(longest_s, 8.2);
-}
-
-TEST(SimulatedRobotMotion, FollowsFromItsSeed) {
-  SimulatedSkinOptions options = SimulatedSkinOptions::robot();
-  SimulatedSkin first = x17(options), second = x17(options);
-  options.seed = 2;
-  SimulatedSkin other = x17(options);
-  bool differs = false;
-  for (int tick = 0; tick < 400; ++tick) {
-    const SampleFrame a = first.next(), b = second.next(), c = other.next();
-    for (std::size_t cell = 0; cell < a.samples.size(); ++cell) {
-      EXPECT_EQ(a.samples[cell].acceleration_g, b.samples[cell].acceleration_g);
-      differs |= a.samples[cell].acceleration_g != c.samples[cell].acceleration_g;
-    }
-  }
-  EXPECT_TRUE(differs);
 }
 
 TEST(SimulatedRobotMotion, RefusesAVibrationThatEndsBeforeItBegins) {

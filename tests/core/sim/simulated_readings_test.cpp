@@ -1,17 +1,12 @@
 // Readings of the simulated skin's accelerometers.
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/device/pose_capture.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/sim/standard_skin.h"
 #include "tests/support/options.h"
 #include "tests/support/sample_matchers.h"
-
-#include <gmock/gmock.h>
-
-#include <array>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -56,29 +51,23 @@ Eigen::Vector3d scatterOf(const std::vector<Eigen::Vector3d>& readings) {
   return (sum / static_cast<double>(readings.size() - 1)).cwiseSqrt();
 }
 
-TEST(SimulatedReadings, WithoutErrorsAreGravityInTheCellFramePointingUp) {
-  SimulatedSkin skin(kModel, SimulatedSkinOptions::ideal());
-  for (const Eigen::Vector3d& up : scriptedUpDirections(8)) {
-    const std::vector<SampleFrame> frames = skin.record(3 * up, 2);
-    ASSERT_EQ(frames.size(), 2U);
-    for (const SampleFrame& frame : frames) {
-      ASSERT_EQ(frame.samples.size(), skin.truth().size());
-      for (std::size_t k = 0; k < frame.samples.size(); ++k) {
-        EXPECT_EQ(frame.samples[k].cell, skin.truth()[k].id);
-        EXPECT_LT((frame.samples[k].acceleration_g - skin.truth()[k].T_b_u.R.transpose() * up).norm(), 1e-14);
+TEST(SimulatedReadings, OfAStandingPartAreGainTimesUpInTheCellFramePlusOffset) {
+  const auto without_noise = test::with(&SimulatedSkinOptions::sensor_noise, false);
+  for (const SimulatedSkinOptions& options : {SimulatedSkinOptions::ideal(), without_noise}) {
+    for (const Eigen::Vector3d& up : scriptedUpDirections(8)) {
+      SimulatedSkin skin(kModel, options);
+      const std::vector<SampleFrame> frames = skin.record(3 * up, 2);
+      ASSERT_EQ(frames.size(), 2U);
+      for (const SampleFrame& frame : frames) {
+        ASSERT_EQ(frame.samples.size(), 17U);
+        for (std::size_t k = 0; k < frame.samples.size(); ++k) {
+          const TrueCell& cell = skin.truth().at(k);
+          EXPECT_EQ(frame.samples[k].cell, cell.id);
+          const Eigen::Vector3d expected = cell.gain * (cell.T_b_u.R.transpose() * up) + cell.offset_g;
+          EXPECT_LT((frame.samples[k].acceleration_g - expected).norm(), 1e-14);
+        }
       }
     }
-  }
-}
-
-TEST(SimulatedReadings, AStandingPartReadsGainTimesGravityPlusOffset) {
-  SimulatedSkin skin(kModel, test::with(&SimulatedSkinOptions::sensor_noise, false));
-  const std::vector<SampleFrame> frames = skin.record(kUp, 1);
-  ASSERT_EQ(skin.truth().size(), 17U);
-  for (std::size_t k = 0; k < skin.truth().size(); ++k) {
-    const TrueCell& cell = skin.truth()[k];
-    const Eigen::Vector3d expected = cell.gain * (cell.T_b_u.R.transpose() * kUp) + cell.offset_g;
-    EXPECT_LT((frames[0].samples[k].acceleration_g - expected).norm(), 1e-14);
   }
 }
 
@@ -277,8 +266,12 @@ TEST(SimulatedHand, ReadingsAreTheDerivativesOfOneRigidMotion) {
   }
 }
 
-TEST(SimulatedSkinSeed, RepeatsEverythingAndAnotherOneNothing) {
-  SimulatedSkinOptions options;
+class SimulatedSkinSeed : public testing::TestWithParam<SimulatedSkinOptions> {};
+INSTANTIATE_TEST_SUITE_P(Motions, SimulatedSkinSeed,
+                         testing::Values(SimulatedSkinOptions(), SimulatedSkinOptions::robot()));
+
+TEST_P(SimulatedSkinSeed, RepeatsEverythingAndAnotherOneNothing) {
+  SimulatedSkinOptions options = GetParam();
   SimulatedSkin a(kModel, options);
   SimulatedSkin b(kModel, options);
   options.seed = 2;

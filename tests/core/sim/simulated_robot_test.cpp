@@ -1,19 +1,12 @@
 #include "hexoderm/sim/simulated_robot.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/mesh_surface.h"
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/paths.h"
-
-#include <gtest/gtest.h>
-#include <map>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using test::messageOf;
-using test::saysAll;
 
 SimulatedRobot demoRobotWith(const SimulatedRobotOptions& options) {
   return {builtInCellModel("hex-bma150"), RobotModel::read(HEXODERM_DEMO_ROBOT), options};

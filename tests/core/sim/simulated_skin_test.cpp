@@ -2,18 +2,13 @@
 
 #include "hexoderm/sim/simulated_skin.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/surface.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/skin_graph.h"
 #include "tests/core/sim/standard_skin.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/options.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <limits>
-#include <string>
 #include <tuple>
 
 namespace hexoderm {
@@ -282,7 +277,7 @@ TEST(SimulatedSkin, RefusesWhatCannotBeWithAReason) {
   };
   for (const auto& [patch, surface, reason] : impossible) {
     SCOPED_TRACE(std::string(patch) + " on " + surface);
-    EXPECT_THAT(test::messageOf<InvalidArgument>(
+    EXPECT_THAT(messageOf<InvalidArgument>(
                     [&, patch = patch, surface = surface] { SimulatedSkin(kModel, ideal(patch, surface)); }),
                 testing::HasSubstr(reason));
   }
@@ -313,7 +308,7 @@ TEST(SimulatedSkin, RefusesNegativeOptionsByName) {
     for (const double bad : {-1.0, std::numeric_limits<double>::quiet_NaN()}) {
       if (bad < 0 && option == &SimulatedSkinOptions::joint_angle_rad) continue;
       const SimulatedSkinOptions options = test::with(option, bad);
-      EXPECT_THAT(test::messageOf<InvalidArgument>([&] { options.validate(); }), testing::HasSubstr(name));
+      EXPECT_THAT(messageOf<InvalidArgument>([&] { options.validate(); }), testing::HasSubstr(name));
     }
   }
 }

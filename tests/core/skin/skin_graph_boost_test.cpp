@@ -54,11 +54,6 @@ TEST(SkinGraphAsABoostGraph, APatchIsIndexedByThePlacesOfItsCells) {
   EXPECT_EQ(out_degree(3, second), 2);
 }
 
-TEST(BreadthFirst, ReachesTheNearestFirst) {
-  const SkinGraph graph = test::skin(6, {{1, 2}, {1, 3}, {2, 4}, {3, 5}});
-  EXPECT_THAT(BreadthFirst(graph).searchFrom(0), ElementsAre(0, 1, 2, 3, 4));
-}
-
 TEST(BreadthFirst, DoesNotGoAlongRefusedEdges) {
   const SkinGraph graph = test::skin(4, {{1, 2}, {2, 3}, {3, 4}, {4, 1}});
   BreadthFirst search(graph);
@@ -75,16 +70,6 @@ TEST(BreadthFirst, EndsWhereItIsToldTo) {
     return true;
   };
   EXPECT_THAT(search.searchFrom(0, untilTheThird), ElementsAre(0, 1, 2));
-}
-
-TEST(BreadthFirst, ReachesNoVertexTwiceBeforeItForgets) {
-  const SkinGraph graph = test::skin(4, {{1, 2}, {3, 4}});
-  BreadthFirst search(graph);
-  search.searchFrom(0);
-  EXPECT_THAT(search.searchFrom(2), ElementsAre(2, 3));
-  search.forget();
-  EXPECT_TRUE(search.isReached(1));
-  EXPECT_THAT(search.searchFrom(3), ElementsAre(3, 2));
 }
 
 }  // namespace

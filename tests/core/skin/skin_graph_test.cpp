@@ -6,8 +6,6 @@
 namespace hexoderm {
 namespace {
 
-using ::testing::UnorderedElementsAre;
-
 const CellModel& model() {
   static const CellModel kModel = builtInCellModel("hex-bma150");
   return kModel;

@@ -2,10 +2,7 @@
 
 #include "hexoderm/skin/skin_graph.h"
 #include "tests/support/neighbor_lists.h"
-
-#include <cstdint>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm::test {
 

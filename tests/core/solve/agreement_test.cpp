@@ -9,19 +9,12 @@
 #include "tests/support/random_session.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <set>
-#include <string>
 #include <thread>
 
 namespace hexoderm {
 namespace {
-
-using ::testing::HasSubstr;
 
 void expectAgreement(const Session& session, const Reconstruction& r) {
   const Assessment& a = r.assessment;

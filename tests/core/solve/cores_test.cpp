@@ -5,12 +5,10 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
+#include "tests/support/testing.h"
 
-#include <gtest/gtest.h>
 #include <cstddef>
-#include <string>
 #include <thread>
-#include <vector>
 
 namespace hexoderm {
 namespace {

@@ -5,22 +5,12 @@
 #include "tests/support/matchers.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <iterator>
-#include <set>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::AnyOf;
-using ::testing::Contains;
-using ::testing::ElementsAre;
-using ::testing::Field;
-using ::testing::HasSubstr;
-using ::testing::SizeIs;
-using ::testing::UnorderedElementsAre;
 
 constexpr std::uint64_t kSeeds = 6;
 

@@ -1,6 +1,5 @@
 #include "hexoderm/solve/hold_out.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
@@ -8,23 +7,14 @@
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
+#include "tests/support/testing.h"
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <ostream>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 namespace {
 
-using ::testing::Each;
-using ::testing::Field;
-using ::testing::IsEmpty;
 using ::testing::Lt;
-using ::testing::SizeIs;
 
 /// The session with the readings of its third pose changed.
 Session inThirdPose(const Session& session, const std::function<void(GravitySample&)>& change) {

@@ -8,16 +8,10 @@
 #include "tests/support/matchers.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 constexpr std::size_t kMany = test::kSlowBuild ? 60 : 200;
 constexpr const char* kSheet = test::kSlowBuild ? "sheet:6x6" : "sheet:10x10";

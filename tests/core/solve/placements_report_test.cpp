@@ -3,19 +3,12 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-#include <algorithm>
-#include <memory>
 #include <stop_token>
-#include <vector>
 
 namespace hexoderm {
 namespace {
-
-using testing::ElementsAre;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 /// On a robot, where nothing is found afterwards that would change the placements.
 Session stillSession(std::size_t poses) {

@@ -11,19 +11,10 @@
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::Contains;
-using ::testing::IsEmpty;
-using ::testing::UnorderedElementsAre;
 
 Session real(const std::string& name) {
   return readSessionJson(std::string(HEXODERM_REFERENCE_DATA) + "/real/icub_leg/" + name + ".session.json");

@@ -1,15 +1,12 @@
 #include "hexoderm/solve/reconstruction_worker.h"
 
-#include "hexoderm/base/error.h"
 #include "tests/support/options.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <condition_variable>
 #include <latch>
 #include <mutex>
 #include <thread>
-#include <vector>
 
 namespace hexoderm {
 namespace {

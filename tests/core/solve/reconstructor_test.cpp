@@ -1,24 +1,17 @@
 #include "hexoderm/solve/reconstructor.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_session.h"
 #include "tests/support/changed_session.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/random_vector.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
 
 std::shared_ptr<const Reconstruction> solve(const Session& session, const SolverOptions& options) {
   return reconstruct(*session.snapshot(), options);
@@ -257,7 +250,7 @@ TEST(Reconstructor, RefusesOptionsOutOfRange) {
   EXPECT_THROW(solve(session, test::with(&SolverOptions::class_threshold, 0)), InvalidArgument);
   EXPECT_THROW(solve(session, test::with(&SolverOptions::class_threshold, std::nan(""))), InvalidArgument);
   const auto without_99 = test::with(&SolverOptions::left_out, {CellId(99)});
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { solve(session, without_99); }), ::testing::HasSubstr("99"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { solve(session, without_99); }), ::testing::HasSubstr("99"));
   EXPECT_THROW(solverFromName("magic"), InvalidArgument);
   EXPECT_THROW(gapModelFromName("rubber"), InvalidArgument);
   for (const Solver solver : {Solver::Global, Solver::Tree}) EXPECT_EQ(solverFromName(solverName(solver)), solver);

@@ -8,15 +8,10 @@
 #include "tests/support/matchers.h"
 #include "tests/support/paths.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::SizeIs;
 
 Session load(const std::string& name) {
   return readSessionJson(std::string(HEXODERM_TEST_DATA) + "/vectors/" + name + ".session.json");

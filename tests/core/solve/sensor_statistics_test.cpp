@@ -3,18 +3,11 @@
 
 #include "hexoderm/solve/sensor_statistics.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/solve.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
-
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

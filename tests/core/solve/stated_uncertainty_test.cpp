@@ -7,12 +7,9 @@
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <Eigen/Cholesky>
-#include <cmath>
-#include <string>
 
 namespace hexoderm {
 namespace {

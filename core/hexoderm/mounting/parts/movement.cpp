@@ -94,9 +94,7 @@ MovementTest testMovement(const GravitySeen& a, const GravitySeen& b) {
     const TurnsOfBodies::About about = turns.about(axis);
     log_odds.push_back(about.log_odds);
     least_information = std::min(least_information, about.information);
-    if (about.log_odds >= least_odds) continue;
-    least_odds = about.log_odds;
-    test.hidden_axis_a = axis;
+    least_odds = std::min(least_odds, about.log_odds);
   }
   double joint = 0;  // how probable a joint is against none, times the least odds, in the mean over its axis
   for (const double odds : log_odds) joint += std::exp(least_odds - odds) / static_cast<double>(log_odds.size());

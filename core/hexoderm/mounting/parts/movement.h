@@ -10,8 +10,6 @@ struct MovementTest {
   /// Logarithm of how much more probable what was seen is for one rigid body than for two with a joint between them
   /// that turned by kTypicalTurn_rad, rms, from pose to pose, about any axis.
   double log_odds = 0;
-  Eigen::Vector3d hidden_axis_a =
-      Eigen::Vector3d::UnitZ();  ///< the axis that would hide a turn best, unit, in a's frame
   /// Gravity came along one line in all poses, or in fewer than two: a turn about it doesn't show.
   bool on_one_line = true;
   /// Turns from pose to pose, rms, that would have shown at three sigma about any axis; pi at most.

@@ -2,13 +2,61 @@
 
 // Patches on the links of an arm, which see gravity with errors that are known exactly.
 
-#include "tests/core/mounting/attachment/links_tally.h"
-
-#include <memory>
-#include <string>
-#include <utility>
+#include "hexoderm/base/units.h"
+#include "hexoderm/mounting/attachment/links.h"
+#include "tests/core/mounting/parts/gravity_draw.h"
+#include "tests/support/testing.h"
 
 namespace hexoderm {
+
+struct LinksTruth {
+  struct OnLink {
+    std::string link;
+    Eigen::Matrix3d R_l_u;
+  };
+  std::map<CellId, OnLink> cells;
+  JointAngles zeros;
+  Eigen::Vector3d up_w = Eigen::Vector3d::UnitZ();
+};
+
+/// What findLinks() claims, beside the truth, counted over seeds.
+struct LinksTally {
+  int patches = 0;
+  int wrong = 0;                  ///< candidates without the right link
+  int none = 0;                   ///< no candidate
+  std::vector<double> turn_nees;  ///< of the turns on the right links, each by 3
+  std::vector<double> errors_rad;
+  std::vector<double> stated_rad;
+  std::vector<double> zero_nees;  ///< of the zeros that are shown
+  std::vector<double> tilt_nees;  ///< by 2
+
+  void add(const LinksResult& result, const LinksTruth& truth) {
+    for (const PatchLinks& patch : result.patches) addPatch(patch, truth.cells.at(patch.origin));
+    if (!result.robot) return;
+    for (const JointZero& zero : result.robot->zeros) {
+      const double error = zero.zero_rad - truth.zeros.positions.at(zero.joint);
+      if (zero.shown) zero_nees.push_back(std::pow(error / zero.sigma_rad, 2));
+    }
+    tilt_nees.push_back(neesOfAxis(result.robot->up_w, result.robot->up_covariance, truth.up_w));
+  }
+
+ private:
+  void addPatch(const PatchLinks& found, const LinksTruth::OnLink& truth) {
+    ++patches;
+    const PatchTurn* right = nullptr;
+    for (const LinkCandidate& candidate : found.candidates) {
+      for (const PatchTurn& turn : candidate.links) right = turn.link == truth.link ? &turn : right;
+    }
+    if (right == nullptr) {
+      ++(found.candidates.empty() ? none : wrong);
+      return;
+    }
+    const Eigen::Vector3d e = logSO3(right->R_l_o.transpose() * truth.R_l_u);
+    turn_nees.push_back(e.dot(right->covariance.llt().solve(e)) / 3);
+    errors_rad.push_back(e.norm());
+    stated_rad.push_back(std::sqrt(right->covariance.trace()));
+  }
+};
 
 /// Six joints that turn: the first upright, and each at right angles to the one before. On l4 and l6 there is more: a
 /// link that is fixed, and one that slides.

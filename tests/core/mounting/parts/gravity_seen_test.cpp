@@ -12,29 +12,6 @@ namespace {
 
 using test::kSlowBuild;
 
-TEST(GravitySeen, ErrorsHaveTwoComponentsAcrossTheDirection) {
-  GravityDraw draw(1);
-  for (int k = 0; k < 50; ++k) {
-    const Eigen::Vector3d up = k < 3 ? Eigen::Vector3d(Eigen::Vector3d::Unit(k)) : draw.direction();
-    const Eigen::Matrix<double, 3, 2> across = acrossBasis(up);
-    EXPECT_LE((across.transpose() * across - Eigen::Matrix2d::Identity()).norm(), 1e-12);
-    EXPECT_LE((across.transpose() * up).norm(), 1e-12);
-  }
-}
-
-TEST(GravitySeen, PosesAreMatchedByTheirIds) {
-  GravityDraw draw(2);
-  const GravitySeen all = draw.see(draw.directions(5), {});
-  const std::array<std::size_t, 3> some = {4, 1, 2};
-  const GravitySeen few = onlyPoses(all, some);
-  EXPECT_THAT(few.poses, ::testing::ElementsAre(PoseId(5), PoseId(2), PoseId(3)));
-  EXPECT_EQ(few.up[0], all.up[4]);
-  EXPECT_EQ((few.covariance.block<2, 2>(0, 2)), (all.covariance.block<2, 2>(8, 2)));
-  const CommonPoses common = commonPoses(all, few);
-  EXPECT_THAT(common.in_a, ::testing::ElementsAre(1, 2, 4));
-  EXPECT_THAT(common.in_b, ::testing::ElementsAre(1, 2, 0));
-}
-
 /// Mean over seeds of e^T C^-1 e per degree of freedom of a patch's gravity in all poses, in the frame of its origin.
 double neesOfGravity(const std::string& patch, std::size_t poses, int seeds) {
   double sum = 0;

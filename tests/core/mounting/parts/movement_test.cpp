@@ -12,41 +12,13 @@ MovementTest testDrawn(GravityDraw& draw, const std::vector<Eigen::Vector3d>& up
   return testMovement(draw.see(up_a, {}), b);
 }
 
-TEST(Movement, OddsGrowWithThePoses) {
-  GravityDraw draw(1);
-  const std::vector<Eigen::Vector3d> up = draw.directions(12);
-  const Eigen::Matrix3d R = draw.rotation();
-  const GravitySeen a = draw.see(up, {});
-  const GravitySeen b = draw.see(seenFrom(R, up), {});
-  const std::array<std::size_t, 8> eight = {0, 1, 2, 3, 4, 5, 6, 7};
-  double before = 0;
-  for (const std::size_t poses : {1U, 2U, 4U, 8U}) {
-    const GravitySeen few = onlyPoses(a, std::span(eight).first(poses));
-    const MovementTest test = testMovement(few, b);
-    EXPECT_GE(test.log_odds, before) << poses;
-    before = test.log_odds;
-  }
-  EXPECT_GT(before, std::log(1e4));
-}
-
-TEST(Movement, NothingIsToldByFewerThanTwoPoses) {
-  GravityDraw draw(2);
-  const std::vector<Eigen::Vector3d> up = draw.directions(1);
-  const MovementTest test = testDrawn(draw, up, up);
-  EXPECT_EQ(test.log_odds, 0);
-  EXPECT_EQ(test.noticeable_rad, kPi);
-  EXPECT_EQ(test.fit.misfit.probability(), 1);
-}
-
-// The axis that hides best is the line of gravity, however many poses there are.
+// However many poses there are.
 TEST(Movement, TurnsAboutTheLineOfGravityHide) {
   GravityDraw draw(3);
   const Eigen::Vector3d line = draw.direction();
   std::vector<Eigen::Vector3d> up;
   for (int k = 0; k < 12; ++k) up.push_back((k % 2 == 0 ? 1 : -1) * (line + 0.02 * draw.vector()).normalized());
-  const MovementTest test = testDrawn(draw, up, up);
-  EXPECT_TRUE(test.on_one_line);
-  EXPECT_LT(std::acos(std::abs(line.dot(test.hidden_axis_a))), 0.2);
+  EXPECT_TRUE(testDrawn(draw, up, up).on_one_line);
   up.push_back(draw.direction());
   EXPECT_FALSE(testDrawn(draw, up, up).on_one_line);
 }

@@ -8,22 +8,6 @@ namespace {
 
 constexpr GravityErrors kHardlyAny{1e-7, 1e-7, 1e-7};
 
-TEST(RigidFit, ExactDirectionsGiveTheExactRotations) {
-  GravityDraw draw(1);
-  for (const std::size_t poses : {2U, 3U, 8U}) {
-    const std::vector<Eigen::Vector3d> up = draw.directions(poses);
-    const Eigen::Matrix3d R_b = draw.rotation();
-    const Eigen::Matrix3d R_c = draw.rotation();
-    const std::array<GravitySeen, 3> bodies = {draw.see(up, kHardlyAny, 0), draw.see(seenFrom(R_b, up), kHardlyAny, 0),
-                                               draw.see(seenFrom(R_c, up), kHardlyAny, 0)};
-    const RigidFit fit = fitRigid(bodies);
-    EXPECT_LE(rotationAngle(fit.R[1].transpose() * R_b), 1e-9);
-    EXPECT_LE(rotationAngle(fit.R[2].transpose() * R_c), 1e-9);
-    EXPECT_LE(fit.misfit.chi_squared, 1e-3);
-    EXPECT_EQ(fit.misfit.freedom, static_cast<int>(4 * poses - 6));
-  }
-}
-
 // Of the stated covariance: the errors of rotations and of the common gravity, and the misfit.
 TEST(RigidFit, ErrorsAndMisfitsAreAsLargeAsStated) {
   constexpr int kSeeds = 400;

@@ -135,9 +135,9 @@ TEST_F(PatchByHandTest, TakesAMeshThatIsInsideOutTheOtherWayRound) {
   TriangleMesh inside_out = mesh;
   turnInsideOut(inside_out);
   EXPECT_LT(cellError(PatchByHand(inside_out, laid.patch, thickness()).laid(laid.T_l_o), laid), 0.0005);
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { PatchByHand({}, laid.patch, thickness()); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { PatchByHand({}, laid.patch, thickness()); }),
               HasSubstr("no surface on which a patch could lie"));
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { PatchByHand(mesh, PatchToPlace{}, thickness()); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { PatchByHand(mesh, PatchToPlace{}, thickness()); }),
               HasSubstr("no patch to place"));
 }
 
@@ -200,7 +200,7 @@ TEST_F(PatchByHandTest, WhatFitsNowhereIsGivenWhereItWasPutToo) {
   ASSERT_NE(by_hand, result.candidates.end());
   EXPECT_FALSE(by_hand->fits);
   task.patches[0].start->R *= 2;
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { placePatches(task); }),
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { placePatches(task); }),
               HasSubstr("the place at which the patch of cell 1 was put is none"));
 }
 

@@ -1,21 +1,13 @@
 #include "hexoderm/solve/checks/calibration_check.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
-#include "tests/support/error_matchers.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
-#include <cmath>
-#include <memory>
-#include <random>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 
@@ -23,15 +15,7 @@ void PrintTo(CellChange change, std::ostream* out) { *out << cellChangeName(chan
 
 namespace {
 
-using ::testing::AllOf;
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::Field;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Lt;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 using Ups = std::vector<Eigen::Vector3d>;
 
@@ -89,8 +73,16 @@ TEST_F(CalibratedX17, ExactReadingsOfTheSameSkinAreAsCalibratedHoweverThePartIsH
 }
 
 TEST_F(CalibratedX17, ATurnedCellIsNamedWithItsAngle) {
-  const CalibrationCheck result = check(
-      *calibration, turned(skin, CellId(8), 10 * kDegree * Eigen::Vector3d(1, 2, -1).normalized()).session(kToday));
+  const auto checkTurned = [&](double angle_rad) {
+    const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, -1).normalized();
+    return check(*calibration, turned(skin, CellId(8), angle_rad * axis).session(kToday));
+  };
+  for (const double angle_rad : {90 * kDegree, 170 * kDegree}) {
+    const CheckedCell cell = cellOf(checkTurned(angle_rad), CellId(8));
+    EXPECT_EQ(cell.change, CellChange::Turned);
+    EXPECT_NEAR(cell.turn.value().angle_rad, angle_rad, 0.1 * kDegree);
+  }
+  const CalibrationCheck result = checkTurned(10 * kDegree);
   EXPECT_THAT(changedCells(result), ElementsAre(CellId(8)));
   EXPECT_TRUE(result.changed);
   const CheckedCell& cell = cellOf(result, CellId(8));
@@ -211,11 +203,11 @@ TEST_F(CalibratedX17, ACellThatIsGoneIsNamedAndALinkThatIsGoneToo) {
 
 TEST_F(CalibratedX17, AnotherSkinIsRefusedWithWhatDiffers) {
   const auto complaint = [&](const Session& today) {
-    return test::messageOf<InvalidArgument>([&] { check(*calibration, today); });
+    return messageOf<InvalidArgument>([&] { check(*calibration, today); });
   };
   PinJointedSkin more = skin;
   more.truth[CellId(40)] = SE3();
-  EXPECT_THAT(complaint(more.session(kToday)), test::saysAll("another skin", "cell 40"));
+  EXPECT_THAT(complaint(more.session(kToday)), saysAll("another skin", "cell 40"));
   PinJointedSkin rewired = skin;
   for (auto& [cell, reports] : rewired.neighbors) {
     for (NeighborReport& report : reports) {
@@ -223,26 +215,26 @@ TEST_F(CalibratedX17, AnotherSkinIsRefusedWithWhatDiffers) {
       if (report.cell == CellId(5)) report.cell_port = PortNumber(report.cell_port->value() == 1 ? 2 : 1);
     }
   }
-  EXPECT_THAT(complaint(rewired.session(kToday)), test::saysAll("joined otherwise", "link 4 port 1 - 5 port 1"));
+  EXPECT_THAT(complaint(rewired.session(kToday)), saysAll("joined otherwise", "link 4 port 1 - 5 port 1"));
   PinJointedSkin few = skin;
   std::erase_if(few.truth, [](const auto& cell) { return cell.first > CellId(7); });
-  EXPECT_THAT(complaint(few.session(kToday)), test::saysAll("10 of its 17 cells are not there"));
+  EXPECT_THAT(complaint(few.session(kToday)), saysAll("10 of its 17 cells are not there"));
   PinJointedSkin larger = skin;
   for (Port& port : larger.model.ports) port.vector_m *= 1.5;
-  EXPECT_THAT(complaint(larger.session(kToday)), test::saysAll("another kind of cell", "port 1", "hex-bma150"));
+  EXPECT_THAT(complaint(larger.session(kToday)), saysAll("another kind of cell", "port 1", "hex-bma150"));
 }
 
 TEST_F(CalibratedX17, NeedsPosesAndACalibrationThatWasMadeOfPoses) {
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { check(*calibration, skin.session({})); }), HasSubstr("no pose"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { check(*calibration, skin.session({})); }), HasSubstr("no pose"));
   Session today = turned(skin, CellId(8), {0.5, 0.5, 0}).session(kToday);
   today.setPoseDisabled(0, true);
   today.setPoseDisabled(1, true);
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { check(*calibration, today); }), HasSubstr("no pose"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { check(*calibration, today); }), HasSubstr("no pose"));
   today.setPoseDisabled(1, false);
   EXPECT_EQ(check(*calibration, today).poses, std::vector{PoseId(2)});
   Reconstruction imported = *calibration;
   imported.solver = "imported";
-  EXPECT_THAT(test::messageOf<InvalidArgument>([&] { check(imported, skin.session(kToday)); }), HasSubstr("imported"));
+  EXPECT_THAT(messageOf<InvalidArgument>([&] { check(imported, skin.session(kToday)); }), HasSubstr("imported"));
 }
 
 TEST(CalibrationCheck, WhereNoMajorityAgreesNoCellIsNamed) {

@@ -1,20 +1,15 @@
 #include "hexoderm/solve/checks/loop_search.h"
 
-#include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/solvers.h"
-
-#include <algorithm>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 std::shared_ptr<const Reconstruction> solvedBy(const PinJointedSkin& skin, Solver solver = Solver::Tree) {
   return reconstruct(*skin.session(orthogonalUps(3)).snapshot(), test::by(solver, GapModel::Pivot));

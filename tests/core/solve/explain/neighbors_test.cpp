@@ -1,43 +1,25 @@
 #include "hexoderm/solve/explain/explainer.h"
 
 #include "hexoderm/solve/faults/suspects.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/estimated_links.h"
 #include "tests/support/pin_jointed_skin.h"
 #include "tests/support/simulated_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::Field;
-
-/// Excludes what neighbouring cells show, until there is nothing left.
-void explainAll(Estimate& estimate) {
-  const Explainer neighbors = makeNeighborExplainer();
-  while (true) {
-    ASSERT_EQ(estimate.bringTo(neighbors.needs, {}), Completion::Finished);
-    std::optional<Explanation> explanation = neighbors.explain(estimate);
-    if (!explanation) return;
-    estimate.exclude(std::move(*explanation));
-  }
-}
 
 TEST(Neighbors, ACellThatContradictsItsNeighboursIsDroppedInsteadOfItsLinks) {
   const Session session = changed(bentX17().session(orthogonalUps(4)), [](std::size_t pose, GravitySample& sample) {
     const Eigen::Vector3d read_g = sample.mean_g;
     if (sample.cell == CellId(3) && pose == 0) sample.mean_g = Eigen::Vector3d(read_g.z(), read_g.x(), read_g.y());
   });
-  const auto snapshot = session.snapshot();
-  const SolverOptions options;
-  Estimate estimate(*snapshot, options);
-  explainAll(estimate);
-  EXPECT_THAT(estimate.findings(), ElementsAre(Field(&Finding::cells, ElementsAre(CellId(3)))));
-  const SkinLinks& skin = estimate.skin();
-  EXPECT_FALSE(skin.readings().measured(*skin.graph().indexOf(CellId(3))));
-  for (const GraphLink& link : skin.graph().links()) EXPECT_FALSE(link.muted());
+  const auto result = reconstruct(*session.snapshot());
+  EXPECT_THAT(result->findings, ElementsAre(Field(&Finding::cells, ElementsAre(CellId(3)))));
+  EXPECT_EQ(result->find(CellId(3)).cell->placed_by, PlacedBy::Links);
+  EXPECT_THAT(result->patches.at(0).links, Each(Field(&LinkEstimate::used, true)));
 }
 
 /// As makeNeighborExplainer() chooses cells, but with everything estimated and judged anew after each: what it must

@@ -1,24 +1,16 @@
 #include "hexoderm/solve/faults/consequences.h"
 
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/faults/requested_exclusions.h"
+#include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/options.h"
 #include "tests/support/pin_jointed_skin.h"
-
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using ::testing::EndsWith;
-using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 /// The link between two neighbours.
 std::pair<LinkEnd, LinkEnd> linkBetween(const Session& session, CellId a, CellId b) {
@@ -27,29 +19,8 @@ std::pair<LinkEnd, LinkEnd> linkBetween(const Session& session, CellId a, CellId
   return {{a, neighbor->port}, {b, neighbor->cell_port.value()}};
 }
 
-/// What is said of the links that are set aside and the cells that are left out.
 std::vector<Finding> saidOf(const Session& session, const SolverOptions& options = {}) {
-  const auto snapshot = session.snapshot();
-  std::vector<Finding> findings;
-  SkinLinks skin(*snapshot, options, findings);
-  setLinksAside(skin, findings);
-  leaveOutCells(skin, findings);
-  skin.estimateEdges();
-  addConsequences(skin, findings);
-  return findings;
-}
-
-std::vector<Finding> saidWithout(CellId cell) {
-  return saidOf(bentX17().session(orthogonalUps(3)), test::with(&SolverOptions::left_out, {cell}));
-}
-
-TEST(Consequences, ATreeIsSplitWhereALinkIsSetAside) {
-  Session session = bentX17().session(orthogonalUps(3));
-  const auto [a, b] = linkBetween(session, CellId(1), CellId(2));
-  session.setLinkMuted(a, b, true);
-  const std::vector<Finding> findings = saidOf(session);
-  ASSERT_THAT(findings, SizeIs(1));
-  EXPECT_THAT(findings[0].message.english(), EndsWith("the patch is split there."));
+  return reconstruct(*session.snapshot(), options)->findings;
 }
 
 TEST(Consequences, ARingIsSplitWithoutTwoOfItsLinksButNotWithoutOne) {
@@ -81,14 +52,9 @@ TEST(Consequences, NobodyCallsTheBorderOfABodyPartASplit) {
   EXPECT_THAT(findings[0].message.english(), EndsWith("arm and hand; the patch ends there."));
 }
 
-TEST(Consequences, PartsThatACellWithoutReadingsAloneConnectsAreLessCertain) {
-  const std::vector<Finding> findings = saidWithout(CellId(2));
-  ASSERT_THAT(findings, SizeIs(1));
-  EXPECT_THAT(findings[0].message.english(), EndsWith("whose relative placement is less certain."));
-}
-
 TEST(Consequences, ALeafWithoutReadingsConnectsNothing) {
-  const std::vector<Finding> findings = saidWithout(CellId(17));
+  const auto without = test::with(&SolverOptions::left_out, {CellId(17)});
+  const std::vector<Finding> findings = saidOf(bentX17().session(orthogonalUps(3)), without);
   ASSERT_THAT(findings, SizeIs(1));
   EXPECT_THAT(findings[0].message.english(), EndsWith("placed through its links."));
 }

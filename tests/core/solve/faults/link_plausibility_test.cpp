@@ -1,17 +1,10 @@
 #include "hexoderm/solve/faults/link_plausibility.h"
 
 #include "hexoderm/base/units.h"
-#include "tests/support/error_matchers.h"
-
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// `elastomer_deg`: deviation of the model's bend, twist and yaw alike; so wide that only the options' limits count.
 std::vector<Finding> judge(double bend_deg, double twist_deg, double yaw_deg, double sigma_deg = 0,
@@ -62,7 +55,7 @@ TEST(LinkPlausibility, LimitsFollowFromTheModelsElastomerAndTheLinksOwnDeviation
 TEST(LinkPlausibility, SaysWhichLinkAndHowFar) {
   const std::vector<Finding> findings = judge(0, 0, 118);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_THAT(findings[0].message.english(), test::saysAll("link 5 port 2 - 9 port 3", "118 degrees", "40"));
+  EXPECT_THAT(findings[0].message.english(), saysAll("link 5 port 2 - 9 port 3", "118 degrees", "40"));
   EXPECT_EQ(findings[0].cells, (std::vector{CellId(5), CellId(9)}));
   EXPECT_EQ(findings[0].ports, (std::vector{PortNumber(2), PortNumber(3)}));
 }

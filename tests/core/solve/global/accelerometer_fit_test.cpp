@@ -5,12 +5,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/global/rigidity.h"
 #include "tests/support/matchers.h"
-
-#include <Eigen/Dense>
-#include <cmath>
-#include <limits>
-#include <random>
-#include <utility>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
@@ -134,22 +129,10 @@ Vector12d parametersOf(const AccelerometerFit& result) {
   return p;
 }
 
-TEST(AccelerometerFit, FindsOffsetAndGainsExactlyWithWidePriors) {
-  Draw draw(1);
-  const Accelerometer real;
-  const Sensor sensor = drawSensor(real, draw);
-  Readings readings;
-  for (int k = 0; k < 30; ++k) readings.add(draw.direction(), sensor);
-  Accelerometer prior = real;
-  for (double* sigma : {&prior.offset_sigma_g, &prior.scale_sigma, &prior.cross_axis_sigma}) *sigma *= 1e5;
-  const AccelerometerFit result = fit(prior, readings);
-  EXPECT_LT((result.offset_g - sensor.offset_g).norm() + (result.gain - sensor.gain).norm(), 1e-12);
-}
-
 TEST(AccelerometerFit, CostAndParametersAreThoseOfTheDenseLeastSquares) {
   Draw draw(2);
   const Accelerometer prior;
-  for (const std::size_t count : {1U, 2U, 3U, 4U, 12U}) {
+  for (const std::size_t count : {0U, 1U, 2U, 3U, 4U, 12U}) {
     const Readings readings = drawReadings(drawSensor(prior, draw), count, draw);
     const DenseCost dense{prior, readings, kQuadratic};
     const Vector12d p = dense.minimum();
@@ -229,15 +212,6 @@ TEST(AccelerometerFit, SigmaOfZeroPinsTheParameter) {
     twice += (readings.of[k].y_g - readings.v_g[k]).squaredNorm() / readings.of[k].variance_g2;
   }
   EXPECT_NEAR(pinned.cost, twice / 2, 1e-6 * twice);
-}
-
-TEST(AccelerometerFit, WithoutReadingsThePriorIsAllThereIs) {
-  const Accelerometer prior;
-  const AccelerometerFit result = fit(prior, {});
-  EXPECT_EQ(result.cost, 0);
-  EXPECT_EQ(parametersOf(result).norm(), 0);
-  EXPECT_NEAR(result.covariance_root[0](0, 0), prior.offset_sigma_g, 1e-12);
-  EXPECT_NEAR(result.covariance_root[1](2, 2), prior.scale_sigma, 1e-12);
 }
 
 /// A cell whose sensor and noise are drawn from the model, and which lies a little off from where it is thought to.
@@ -379,20 +353,6 @@ TEST(FindAttitude, DoesNotTurnAboutTheOnlyDirectionThereIs) {
   const Eigen::Vector3d v = own.R.transpose() * f_o[0];
   EXPECT_NEAR(v.dot(logSO3(own.R)), 0, 0.01);
   EXPECT_LT(v.dot(own.information * v), 1e-3 * own.information.norm());
-}
-
-TEST(Misfit, WithTheMostProbableErrorsIsTwiceTheFitsCostAndWithOthersMore) {
-  Draw draw(11);
-  const Accelerometer sigmas;
-  const AccelerometerPrior prior(sigmas);
-  const Readings readings = drawReadings(drawSensor(sigmas, draw), 5, draw);
-  const AccelerometerFit best = fit(sigmas, readings);
-  const double least = misfitWith(prior, readings.of, readings.v_g, best.offset_g, best.gain);
-  EXPECT_NEAR(least, 2 * best.cost, 1e-9 * (1 + best.cost));
-  for (int k = 0; k < 20; ++k) {
-    const Sensor other = drawSensor(sigmas, draw);
-    EXPECT_GT(misfitWith(prior, readings.of, readings.v_g, other.offset_g, other.gain), least);
-  }
 }
 
 }  // namespace

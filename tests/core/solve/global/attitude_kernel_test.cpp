@@ -4,10 +4,7 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/vector_instructions.h"
 #include "hexoderm/solve/global/rigidity.h"
-
-#include <gmock/gmock.h>
-
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -6,14 +6,9 @@
 #include "hexoderm/base/units.h"
 #include "tests/support/normal_draw.h"
 #include "tests/support/simulated_skins.h"
+#include "tests/support/testing.h"
 
 #include "hexoderm/solve/global/global_cost.h"
-
-#include <Eigen/Dense>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 

@@ -9,20 +9,10 @@
 #include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
-
-#include <gmock/gmock.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::Contains;
-using ::testing::Field;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 constexpr int kSide = test::kSlowBuild ? 12 : 35;
 const auto kSeeds = test::kSlowBuild ? std::vector{2, 101} : std::vector{2, 5, 6, 101, 102};

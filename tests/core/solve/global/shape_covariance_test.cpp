@@ -4,12 +4,7 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/result/reconstruction.h"
 #include "tests/core/solve/global/joint_case.h"
-
-#include <gmock/gmock.h>
-
-#include <Eigen/Dense>
-#include <algorithm>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

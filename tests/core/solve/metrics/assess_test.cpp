@@ -1,16 +1,10 @@
 #include "hexoderm/solve/metrics/assess.h"
 
 #include "tests/support/matchers.h"
-
-#include <memory>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::Not;
 
 Matrix6d covarianceOf(const Uncertainty95& spread) {
   constexpr double kSigmas = 1.96;

@@ -1,15 +1,12 @@
 #include "hexoderm/solve/metrics/cell_links.h"
 
 #include "tests/support/hand_made_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::ElementsAreArray;
-using ::testing::IsEmpty;
 
 std::vector<CellId> neighborsIn(LinksOfCell links, CellId cell) {
   std::vector<CellId> cells;

@@ -1,9 +1,5 @@
 #include "hexoderm/solve/metrics/distribution.h"
-
-#include <gtest/gtest.h>
-#include <cmath>
-#include <limits>
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

@@ -1,10 +1,7 @@
 #include "hexoderm/solve/metrics/patch_sides.h"
 
 #include "tests/support/hand_made_skins.h"
-
-#include <gtest/gtest.h>
-#include <algorithm>
-#include <cmath>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

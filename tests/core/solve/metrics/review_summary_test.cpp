@@ -2,14 +2,10 @@
 
 #include "hexoderm/base/units.h"
 #include "tests/support/result_builder.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 LinkEstimate linkWith(double residual_rad, double sigma_rad, std::vector<std::optional<double>> per_pose) {
   LinkEstimate link = test::usedLink();

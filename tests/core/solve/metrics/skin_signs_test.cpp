@@ -2,15 +2,10 @@
 
 #include "hexoderm/solve/metrics/cell_metrics.h"
 #include "tests/support/hand_made_skins.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
-
-using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 Finding about(FindingCode code, std::vector<CellId> cells, std::vector<PortNumber> ports = {}) {
   return makeFinding(code, Message::verbatim("made for a test"), std::move(cells), std::move(ports));

@@ -1,16 +1,11 @@
 #include "hexoderm/solve/metrics/value_scale.h"
 
-#include "hexoderm/base/error.h"
-
-#include <gmock/gmock.h>
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
 
 using ::testing::DoubleNear;
-using ::testing::ElementsAre;
 using ::testing::Pointwise;
 using Values = std::vector<std::optional<double>>;
 

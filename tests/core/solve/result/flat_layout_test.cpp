@@ -1,12 +1,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/result/reconstruction.h"
 #include "tests/support/result_builder.h"
-
-#include <gmock/gmock.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {

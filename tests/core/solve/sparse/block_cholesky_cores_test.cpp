@@ -3,11 +3,9 @@
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/solve/sparse/block_cholesky.h"
 #include "tests/core/solve/sparse/block_systems.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <cstddef>
-#include <utility>
 
 namespace hexoderm {
 namespace {

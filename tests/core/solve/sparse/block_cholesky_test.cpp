@@ -1,15 +1,9 @@
 #include "hexoderm/solve/sparse/block_cholesky.h"
 #include "tests/core/solve/sparse/block_systems.h"
-
-#include <gmock/gmock.h>
+#include "tests/support/testing.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <array>
-#include <limits>
 #include <numeric>
-#include <random>
-#include <string>
 
 namespace hexoderm {
 namespace {
@@ -66,17 +60,6 @@ TEST_P(BlockCholeskyGraphs, InvertsOnThePattern) {
       const BlockCouple& c = system_.graph.couples[k];
       EXPECT_THAT(inverse.couples[k], MatrixNear(Matrix6d(Z.block<6, 6>(6 * c.row, 6 * c.column)), 1e-8));
     }
-  }
-}
-
-TEST_P(BlockCholeskyGraphs, EliminationOrdersNameEachRowOnce) {
-  const Graph& graph = system_.graph;
-  for (std::vector<std::size_t> order : {minimumDegreeOrder(graph.size, graph.couples),
-                                         minimumDegreeOrder(graph.size, graph.couples, Numbering::Backwards),
-                                         dissectionOrder(graph.size, graph.couples)}) {
-    ASSERT_EQ(order.size(), graph.size);
-    std::sort(order.begin(), order.end());
-    for (std::size_t k = 0; k < order.size(); ++k) EXPECT_EQ(order[k], k);
   }
 }
 

@@ -3,16 +3,10 @@
 // Graphs, and random systems of equations on them, with blocks of 6 x 6.
 
 #include "hexoderm/solve/sparse/block_cholesky.h"
+#include "tests/support/testing.h"
 
-#include <gmock/gmock.h>
-
-#include <algorithm>
 #include <numeric>
 #include <ostream>
-#include <random>
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace hexoderm {
 

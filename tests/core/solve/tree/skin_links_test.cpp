@@ -8,29 +8,16 @@
 namespace hexoderm {
 namespace {
 
-class SkinLinksTest : public ::testing::Test {
- protected:
-  test::EstimatedLinks estimated_{bentX17().session(orthogonalUps(3))};
-  SkinLinks& links_ = estimated_.links;
-};
-
-TEST_F(SkinLinksTest, ADroppedPoseIsUsedByNoLink) {
-  links_.dropPose(1);
-  links_.estimateEdges();
-  ASSERT_FALSE(links_.graph().links().empty());
-  for (const GraphLink& link : links_.graph().links()) {
-    EXPECT_THAT(links_.readings().posesOf(link), ::testing::ElementsAre(0, 2));
-  }
-}
-
-TEST_F(SkinLinksTest, ACellBetweenTwoReadingNeighboursIsTurnedLessUncertainlyThanOneAtTheEnd) {
-  const std::size_t inner = *links_.graph().indexOf(CellId(3));
-  const std::size_t outer = *links_.graph().indexOf(CellId(5));
-  links_.dropCell(inner);
-  links_.dropCell(outer);
-  links_.estimateEdges();
+TEST(SkinLinks, ACellBetweenTwoReadingNeighboursIsTurnedLessUncertainlyThanOneAtTheEnd) {
+  test::EstimatedLinks estimated(bentX17().session(orthogonalUps(3)));
+  SkinLinks& links = estimated.links;
+  const std::size_t inner = *links.graph().indexOf(CellId(3));
+  const std::size_t outer = *links.graph().indexOf(CellId(5));
+  links.dropCell(inner);
+  links.dropCell(outer);
+  links.estimateEdges();
   const auto covariance = [&](std::size_t cell) {
-    return links_.attitudeCovariance(cell, links_.graph().linksAt(cell).front());
+    return links.attitudeCovariance(cell, links.graph().linksAt(cell).front());
   };
   EXPECT_NEAR(covariance(inner).trace(), covariance(outer).trace() / 2, 1e-12);
 }

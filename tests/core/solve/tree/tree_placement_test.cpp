@@ -1,10 +1,7 @@
 #include "hexoderm/solve/tree/tree_placement.h"
 
 #include "tests/support/neighbor_lists.h"
-
-#include <gmock/gmock.h>
-
-#include <random>
+#include "tests/support/testing.h"
 
 namespace hexoderm {
 namespace {
