@@ -133,6 +133,7 @@ TEST_F(CliCapture, ARecordingThatFailsIsSaidOnceAndTheResultIsWritten) {
   const std::size_t at = outcome.err.find(complaint);
   ASSERT_NE(at, std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("the recording ended", at + complaint.size()), std::string::npos) << outcome.err;
+  EXPECT_LT(at, outcome.err.find("Pose 3 captured")) << "at once";
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json.at("poses"), 3);
   EXPECT_THAT(json.at("recording_error").get<std::string>(), HasSubstr("arm.skinrec: the recording ended"));

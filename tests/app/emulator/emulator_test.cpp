@@ -11,18 +11,10 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
-#include <gmock/gmock.h>
-#include <cmath>
-#include <functional>
-
 namespace hexoderm {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::SizeIs;
-using testing::StartsWith;
 using Delivered = CollectingListener::Delivered;
 
 struct Host : WireHost {
@@ -141,17 +133,6 @@ TEST(Emulator, IsARobotThatSaysWhereItsJointsStand) {
   EXPECT_EQ(host.listener.delivered().status().rejected_messages, 0U);
   EXPECT_THAT(emulator.type("turn 1 0 0"), StartsWith("error: the robot's base is fixed"));
   EXPECT_THAT(emulator.type("break dead 20"), HasSubstr("cell 20 is broken: dead"));
-}
-
-TEST(Emulator, ExploresThe31CellsOfThePaper) {
-  const Emulator emulator({"--tcp", "0", "--patch", "ring31:closed", "--means", "20"});
-  EXPECT_THAT(emulator.about, AllOf(HasSubstr("31 cells"), HasSubstr("ms")));
-  Host host(emulator.address);
-  ASSERT_TRUE(host.waitForFrames(5));
-  const Delivered delivered = host.listener.delivered();
-  EXPECT_EQ(delivered.skins.back().neighbors, trueTopology("ring31:closed"));
-  EXPECT_THAT(delivered.frames.back().means, SizeIs(31));
-  EXPECT_EQ(delivered.frames.back().means[0].count, 20U);
 }
 
 // What the skin does then is for EmulatedDevice's tests.

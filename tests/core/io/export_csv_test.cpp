@@ -79,14 +79,6 @@ TEST_F(ExportCsv, LeavesResidualsEmptyWhereThereAreNone) {
   EXPECT_THAT(column(residuals, "pose1_deg")[1], "");
 }
 
-TEST_F(ExportCsv, QuotesTextsOfUsers) {
-  EXPECT_THAT(exported("cells.csv"), HasSubstr(R"(,12,"left ""arm"", Bernd's <R&D> \ größer",links,)"));
-  EXPECT_THAT(read(in("out/sensors.csv")), HasSubstr(R"(0,7,7,"force ""1""/größe","force, normal",0.004,)"));
-  const std::string poses = read(in("out/poses.csv"));
-  EXPECT_THAT(poses, HasSubstr("\n1,\"standing, \"\"arm\"\"\nhanging\",1,4,0.001,,"));
-  EXPECT_THAT(poses, HasSubstr("\n4,\" größer\",0,4,0.002,,,"));
-}
-
 TEST_F(ExportCsv, HoldsEveryFieldForPython) {
   const Reconstruction reconstruction = makeTestReconstruction();
   exportReconstruction(reconstruction, ExportFormat::Csv, in("out"));

@@ -190,24 +190,6 @@ TEST(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
   EXPECT_EQ(chained(exported(test::ResultBuilder().build())).size(), 1U);
 }
 
-TEST(ExportUrdf, PutsPlacedPatchesOnTheirLinks) {
-  const Reconstruction reconstruction = makeTestReconstruction();
-  ExportOptions options;
-  options.parent_link = "torso";
-  const SE3 T_l_o{rotationFromRpy({0.1, -0.2, 2.0}), {0.3, -0.05, 0.01}};
-  options.placements = {{CellId(20), "base_link", T_l_o, {}}};
-  const auto T_root = chained(exported(reconstruction, options));
-  EXPECT_TRUE(T_root.contains("skin_cell20"));
-  EXPECT_FALSE(T_root.contains("skin_cell7")) << "its patch is not placed";
-  expectNear(T_root.at("skin_patch1"), T_l_o, "patch");
-  expectNear(T_root.at("skin_cell20"), T_l_o * reconstruction.patches[1].cells[0].T_o_u, "cell 20");
-
-  options.placements.push_back({CellId(7), "elbow", {}, {}});
-  options.in_link = "elbow";
-  const auto on_elbow = exported(reconstruction, options);
-  EXPECT_STREQ(on_elbow.child("robot").child("link").attribute("name").value(), "elbow");
-}
-
 TEST(ExportUrdf, APartLeavesTheParentLinksToTheRobot) {
   ExportOptions options;
   options.urdf_form = UrdfForm::Part;

@@ -98,12 +98,5 @@ TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
               saysAll("f.dat: cells[0]", "finite", "NaN"));
 }
 
-TEST(OpenFile, NamesAFileThatIsNotThere) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(messageOf<StorageError>([&] { open(folder.path() / "none.hexo"); }),
-              saysAll("none.hexo", "No such file"));
-  EXPECT_THAT(messageOf<StorageError>([&] { open(folder.path()); }), saysAll("is a folder"));
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -38,18 +38,6 @@ TEST(Session, RefusesACellModelThatMakesNoSense) {
   EXPECT_EQ(session.revision(), before->revision);
 }
 
-TEST(Session, EveryChangeMakesANewRevisionAndOldSnapshotsStayAsTheyWere) {
-  Session session = emptySession();
-  session.addPose(pose(1));
-  const auto before = session.snapshot();
-  session.setPoseDisabled(0, true);
-  const auto after = session.snapshot();
-  EXPECT_LT(before->revision, after->revision);
-  EXPECT_FALSE(before->poses[0].disabled);
-  EXPECT_TRUE(after->poses[0].disabled);
-  EXPECT_EQ(before->poses[0].capture, after->poses[0].capture) << "captures are shared, not copied";
-}
-
 TEST(Session, APoseIsDisabledForAReasonAsLongAsItIsDisabled) {
   Session session = emptySession();
   session.addPose(pose(1));

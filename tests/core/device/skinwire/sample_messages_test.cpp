@@ -29,14 +29,6 @@ SampleFrame decoded(const Samples& message) {
   return frame;
 }
 
-TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
-  const std::vector<Samples> out = encoded(quantised(1.234567, 17));
-  ASSERT_EQ(out.size(), 1U);
-  EXPECT_FALSE(out[0].raw_lsb.empty());
-  EXPECT_EQ(out[0].time_us, 1'234'567U);
-  test::expectSameFrame(decoded(out[0]), quantised(1.234567, 17));
-}
-
 TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
   const SampleFrame frame{0, {{CellId(5), {0.25, 0.1, -1}}, {CellId(6), Eigen::Vector3d(1, 2, 3) * kLsb_g}}};
   SampleEncoder encoder(kLsb_g);
