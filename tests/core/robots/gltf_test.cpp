@@ -65,18 +65,6 @@ void expectSquare(const TriangleMesh& mesh, const std::string& what) {
   EXPECT_DOUBLE_EQ(areaOf(mesh), 1) << what;
 }
 
-TEST(Gltf, ReadsBuffersOfABinaryFileOfDataAndOfAFileBesideIt) {
-  expectSquare(readMesh(glb(square()), "m"), "binary");
-  Json json = square();
-  json["buffers"][0]["uri"] = std::string("data:application/octet-stream;base64,") + kSquareInBase64;
-  expectSquare(readMesh(json.dump(), "m"), "data");
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path() / "in it");
-  folder.put("in it/m.bin", squareBytes());
-  json["buffers"][0]["uri"] = "in%20it/m.bin";
-  expectSquare(readMeshFile(folder.put("m.gltf", " \n" + json.dump())), "a file");
-}
-
 TEST(Gltf, ReadsAllKindsOfTriangles) {
   const std::string of_indices = "/meshes/0/primitives/0/indices";
   const std::string of_mode = "/meshes/0/primitives/0/mode";

@@ -81,22 +81,6 @@ class TcpDevice {
                                            boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
 };
 
-/// A port that nobody listens at, and that nobody else gets as long as this lives.
-class AbsentTcpDevice {
- public:
-  AbsentTcpDevice() {
-    socket_.open(boost::asio::ip::tcp::v4());
-    socket_.bind(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
-  }
-  [[nodiscard]] std::string address() const {
-    return "tcp://127.0.0.1:" + std::to_string(socket_.local_endpoint().port());
-  }
-
- private:
-  boost::asio::io_context io_;
-  boost::asio::ip::tcp::socket socket_{io_};
-};
-
 class UdpDevice {
  public:
   [[nodiscard]] std::string address() const {
