@@ -21,22 +21,15 @@ void PrintTo(const Recorded& recorded, std::ostream* out) { *out << recorded.nam
 /// 200 s of an accelerometer that was laid by hand in 13 orientations, on some sides twice. Held is where the standard
 /// deviation over 0.5 s (rms of the axes) stays below 6 mg for longer than 1.5 s; in between it is hundreds of mg.
 Recorded laidByHand(const char* name, const std::string& counts, std::uint32_t samples) {
+  const std::vector held_s = {std::pair(0.03, 52.62),    std::pair(54.72, 64.17),   std::pair(66.97, 76.72),
+                              std::pair(79.62, 89.12),   std::pair(92.47, 102.87),  std::pair(105.87, 113.77),
+                              std::pair(116.22, 125.47), std::pair(128.22, 135.87), std::pair(138.07, 147.91),
+                              std::pair(152.36, 161.11), std::pair(164.31, 172.21), std::pair(176.21, 188.31),
+                              std::pair(192.41, 199.96)};
   const std::string table = HEXODERM_REFERENCE_DATA "/real/xsens_static_poses_part1.csv";
   return {name,
           "python3 '" HEXODERM_CSV_SENDER "' '" + table + "' " + counts,
-          {{0.03, 52.62},
-           {54.72, 64.17},
-           {66.97, 76.72},
-           {79.62, 89.12},
-           {92.47, 102.87},
-           {105.87, 113.77},
-           {116.22, 125.47},
-           {128.22, 135.87},
-           {138.07, 147.91},
-           {152.36, 161.11},
-           {164.31, 172.21},
-           {176.21, 188.31},
-           {192.41, 199.96}},
+          held_s,
           samples,
           {"Pose 4 captured: 1 cell; it repeats pose 1", "Pose 6 captured: 1 cell; it repeats pose 2",
            "Pose 8 captured: 1 cell; it repeats pose 3"},

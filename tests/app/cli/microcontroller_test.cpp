@@ -2,13 +2,12 @@
 // serial port is a pseudo-terminal.
 
 #include "hexoderm/device/skinwire/examples/firmware/skin.h"
-#include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/app/cli/cli_program.h"
+#include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/core/device/sources/loopback_device.h"
 #include "tests/core/device/sources/wire_host.h"
 #include "tests/support/child_process.h"
-
-#include <termios.h>
 
 namespace hexoderm {
 namespace {
@@ -116,63 +115,27 @@ TEST_F(Microcontroller, AnswersCommands) {
   EXPECT_EQ(delivered.status().lost_samples, 0U);
 }
 
-/// What a host sends and hears at the board's serial port, frame by frame.
-class RawHost {
- public:
-  explicit RawHost(const std::string& address)
-      : port_(::open(address.substr(std::string("serial:").size()).c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)) {
-    termios settings{};
-    ::tcgetattr(port_, &settings);
-    ::cfmakeraw(&settings);
-    ::tcsetattr(port_, TCSANOW, &settings);
-  }
-  ~RawHost() { ::close(port_); }
-  RawHost(const RawHost&) = delete;
-  RawHost& operator=(const RawHost&) = delete;
-
-  /// All in one piece.
-  void send(std::initializer_list<skinwire::Command> commands) const {
-    skinwire::Bytes bytes;
-    for (const skinwire::Command& command : commands) {
-      const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Cobs, command);
-      bytes.insert(bytes.end(), frame.begin(), frame.end());
-    }
-    ASSERT_EQ(::write(port_, bytes.data(), bytes.size()), static_cast<ssize_t>(bytes.size()));
-  }
-  skinwire::Ack nextAck() {
-    while (true) {
-      while (auto decoded = decoder_.next()) {
-        if (const auto* ack = std::get_if<skinwire::Ack>(&decoded->message)) return *ack;
-      }
-      std::array<std::uint8_t, 1024> bytes;
-      const ssize_t count = ::read(port_, bytes.data(), bytes.size());
-      if (count <= 0) throw std::runtime_error("the board is gone");
-      decoder_.feed({bytes.data(), static_cast<std::size_t>(count)});
-    }
-  }
-
- private:
-  int port_;
-  skinwire::FrameDecoder decoder_{skinwire::Framing::Cobs};
-};
-
 TEST_F(Microcontroller, ACommandThatComesAgainIsNotBegunAnew) {
   const Board board;
   ASSERT_FALSE(board.address.empty()) << board.said;
-  RawHost host(board.address);
-  const skinwire::Command turn{7, skinwire::TurnTo{2, -Eigen::Vector3d::UnitX()}};
-  host.send({turn, turn});  // in one piece: the board turns for little more than a second
+  const std::string port = board.address.substr(std::string("serial:").size());
+  SerialEnd host(::open(port.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC));
+  const skinwire::Bytes turn = skinwire::encodeFrame(
+      skinwire::Framing::Cobs, skinwire::Command{7, skinwire::TurnTo{2, -Eigen::Vector3d::UnitX()}});
+  const skinwire::Bytes back = skinwire::encodeFrame(
+      skinwire::Framing::Cobs, skinwire::Command{7, skinwire::TurnTo{2, Eigen::Vector3d::UnitX()}});
+  host.sendBytes(skinwire::joined({turn, turn}));  // in one piece: the board turns for little more than a second
   const skinwire::Ack working{7, false, "", true};
-  const skinwire::Ack done{7, true, "", false};
-  EXPECT_EQ(host.nextAck(), working) << "the second one is answered at once";
-  skinwire::Ack last = working;
-  while (last == working) last = host.nextAck();
-  EXPECT_EQ(last, done);
+  EXPECT_EQ(host.receive<skinwire::Ack>(), working) << "the second one is answered at once";
+  const auto nextThatIsOver = [&] {
+    skinwire::Ack ack = working;
+    while (ack == working) ack = host.receive<skinwire::Ack>();
+    return ack;
+  };
+  EXPECT_EQ(nextThatIsOver(), (skinwire::Ack{7, true, "", false}));
   // The same number from a host that starts anew is another command.
-  host.send({turn, skinwire::Command{7, skinwire::TurnTo{2, Eigen::Vector3d::UnitX()}}});
-  last = host.nextAck();
-  while (last == working) last = host.nextAck();
-  EXPECT_EQ(last, (skinwire::Ack{7, false, "another turn was asked for", false}));
+  host.sendBytes(skinwire::joined({turn, back}));
+  EXPECT_EQ(nextThatIsOver(), (skinwire::Ack{7, false, "another turn was asked for", false}));
 }
 
 }  // namespace

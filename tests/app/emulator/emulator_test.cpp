@@ -8,8 +8,9 @@
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/core/device/sources/wire_host.h"
 
-#include <netinet/in.h>
-#include <sys/socket.h>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/ip/udp.hpp>
 
 namespace hexoderm {
 namespace {
@@ -145,14 +146,13 @@ TEST(Emulator, CellsBreakAndAreMendedByWhatIsTyped) {
     const char* answer;
     std::size_t cells;  // that send after it
   };
-  const Typed all_typed[] = {
-      {"turn 1 0 0", "turning", 16},
-      {"mend 2", "whole", 17},
-      {"break no-samples 5", "cell 5 is broken: no-samples", 16},
-      {"mend 5", "whole", 17},
-      {"break wrong-port 3 1", "starts again", 17},
-      {"mend 3 1", "whole", 17},
-      {"break no-answer 5", "explore again", 17}};
+  const Typed all_typed[] = {{"turn 1 0 0", "turning", 16},
+                             {"mend 2", "whole", 17},
+                             {"break no-samples 5", "cell 5 is broken: no-samples", 16},
+                             {"mend 5", "whole", 17},
+                             {"break wrong-port 3 1", "starts again", 17},
+                             {"mend 3 1", "whole", 17},
+                             {"break no-answer 5", "explore again", 17}};
   for (const Typed& typed : all_typed) {
     EXPECT_THAT(emulator.type(typed.line), HasSubstr(typed.answer)) << typed.line;
     const auto typedCellsSend = [&](const Delivered& d) { return d.frames.back().samples.size() == typed.cells; };
@@ -208,46 +208,38 @@ TEST(Emulator, GarbledBytesOnASerialPortCostTheirFrameOnly) {
 }
 
 /// A connection that does only what it is told to: it neither reads nor sends by itself.
+template <class Protocol>
 class BareHost {
  public:
-  explicit BareHost(const std::string& address)
-      : is_tcp_(address.starts_with("tcp:")), socket_(::socket(AF_INET, is_tcp_ ? SOCK_STREAM : SOCK_DGRAM, 0)) {
-    sockaddr_in to{};
-    to.sin_family = AF_INET;
-    to.sin_port = htons(static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1))));
-    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    if (::connect(socket_, static_cast<const sockaddr*>(static_cast<const void*>(&to)), sizeof(to)) != 0) {
-      throw std::runtime_error("no connection");
-    }
+  explicit BareHost(const std::string& address) {
+    const auto port = static_cast<std::uint16_t>(std::stoul(address.substr(address.rfind(':') + 1)));
+    socket_.connect({boost::asio::ip::address_v4::loopback(), port});
   }
-  ~BareHost() { ::close(socket_); }
-  BareHost(const BareHost&) = delete;
-  BareHost& operator=(const BareHost&) = delete;
 
-  void describe() const {
+  void describe() {
     const skinwire::Command command{0, skinwire::Describe{}};
-    const skinwire::Bytes bytes =
-        is_tcp_ ? skinwire::encodeFrame(skinwire::Framing::Length, command) : skinwire::encodeBody(command);
-    if (::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL) < 0) throw std::runtime_error("not sent");
+    constexpr bool kIsTcp = std::is_same_v<Protocol, boost::asio::ip::tcp>;
+    socket_.send(boost::asio::buffer(kIsTcp ? skinwire::encodeFrame(skinwire::Framing::Length, command)
+                                            : skinwire::encodeBody(command)));
   }
   /// Waits for something to come; false at the end of the connection.
-  [[nodiscard]] bool hears() const {
-    char byte = 0;
-    return ::recv(socket_, &byte, 1, 0) > 0;
+  [[nodiscard]] bool hears() {
+    std::array<char, 1> byte{};
+    boost::system::error_code error;
+    return socket_.receive(boost::asio::buffer(byte), 0, error) > 0;
   }
-  [[nodiscard]] bool hasHeard() const {
-    char byte = 0;
-    return ::recv(socket_, &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
-  }
+  [[nodiscard]] bool hasHeard() const { return socket_.available() > 0; }
 
  private:
-  bool is_tcp_;
-  int socket_ = -1;
+  boost::asio::io_context io_;
+  typename Protocol::socket socket_{io_};
 };
+using BareTcpHost = BareHost<boost::asio::ip::tcp>;
+using BareUdpHost = BareHost<boost::asio::ip::udp>;
 
 TEST(Emulator, AConnectionThatSaysNothingGivesWayToTheNext) {
   const Emulator emulator(ring8({"--tcp", "0"}));
-  const BareHost silent(emulator.address);
+  BareTcpHost silent(emulator.address);
   ASSERT_TRUE(silent.hears()) << "it is served, as nobody else is there";
   Host host(emulator.address);
   ASSERT_TRUE(host.waitForFrames(100));
@@ -255,7 +247,7 @@ TEST(Emulator, AConnectionThatSaysNothingGivesWayToTheNext) {
 
   // The host has said that it is one, and is not disturbed.
   const std::uint64_t reconnects = host.listener.delivered().status().reconnects;
-  const BareHost next(emulator.address);
+  BareTcpHost next(emulator.address);
   ASSERT_TRUE(host.waitForNewFrames(200));
   EXPECT_FALSE(next.hasHeard());
   EXPECT_EQ(host.listener.delivered().status().reconnects, reconnects);
@@ -265,10 +257,10 @@ TEST(Emulator, AConnectionThatSaysNothingGivesWayToTheNext) {
 
 TEST(Emulator, OverUdpOnlyTheHostIsAnswered) {
   const Emulator emulator(ring8({"--udp", "0"}));
-  const BareHost host(emulator.address);
+  BareUdpHost host(emulator.address);
   host.describe();
   ASSERT_TRUE(host.hears());
-  const BareHost other(emulator.address);
+  BareUdpHost other(emulator.address);
   other.describe();
   // What the host asks after that is answered after that.
   host.describe();
@@ -286,7 +278,7 @@ TEST(Emulator, OverUdpOnlyTheHostIsAnswered) {
 TEST(Emulator, NeverWaitsForAHostThatDoesNotReadAndLeavesItForTheNext) {
   // 50 times as fast, 300 cells: what the network holds for a host is full at once.
   const Emulator emulator({"--tcp", "0", "--patch", "sheet:15x20", "--speed", "50"});
-  const BareHost stuck(emulator.address);
+  BareTcpHost stuck(emulator.address);
   stuck.describe();
   ASSERT_TRUE(stuck.hears());
   const auto dropped = [&] {

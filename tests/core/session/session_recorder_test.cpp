@@ -68,13 +68,6 @@ TEST_F(SessionRecorderTest, AcknowledgesInOrderWhatIsOnDisk) {
   EXPECT_EQ(stored().size(), 20U) << "read by another while the recorder has it open";
 }
 
-TEST_F(SessionRecorderTest, AnAcknowledgedCaptureIsOnDisk) {
-  SessionRecorder recorder(SessionStore::open(path_));
-  std::promise<std::size_t> seen;
-  recorder.append(capture(1), [&](const StoreOutcome&) { seen.set_value(stored().size()); });
-  EXPECT_EQ(seen.get_future().get(), 1U);
-}
-
 TEST_F(SessionRecorderTest, OpensOnItsOwnThreadAndKeepsWhatComesMeanwhile) {
   std::promise<void> may_open;
   auto allowed = may_open.get_future().share();

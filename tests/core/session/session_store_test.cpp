@@ -31,15 +31,6 @@ TEST_F(SessionStoreTest, KeepsAWholeSessionBitForBit) {
   EXPECT_EQ(folder_.entryCount(), 2U) << "nothing lies beside them";
 }
 
-TEST_F(SessionStoreTest, NeverReplacesAFile) {
-  writeSessionStore(sessionWithEverything(), path_);
-  const std::string before = readFile(path_);
-  EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::create(path_, emptySession()); }),
-              saysAll("arm.hexo", "exists already", "another name"));
-  EXPECT_EQ(readFile(path_), before);
-  EXPECT_EQ(folder_.entryCount(), 1U);
-}
-
 TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
   const Session bad = test::sessionWithABadReading();
   EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }),
