@@ -3,6 +3,7 @@
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/sim/simulated_skin.h"
+#include "tests/core/capture/events_of.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/testing.h"
@@ -11,7 +12,6 @@
 #include <future>
 #include <stop_token>
 #include <thread>
-#include <variant>
 
 namespace hexoderm {
 namespace {
@@ -103,19 +103,11 @@ struct Scripted {
 
   template <class Event>
   [[nodiscard]] std::vector<Event> told() const {
-    return of<Event>(events);
+    return test::eventsOf<Event>(events);
   }
   template <class Event>
   [[nodiscard]] std::vector<Event> toldByCourse() const {
-    return of<Event>(told<WorkflowEvent>());
-  }
-  template <class Event>
-  static std::vector<Event> of(const auto& events) {
-    std::vector<Event> found;
-    for (const auto& event : events) {
-      if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
-    }
-    return found;
+    return test::eventsOf<Event>(told<WorkflowEvent>());
   }
 
   ScriptedSource* source = nullptr;
@@ -247,9 +239,10 @@ TEST_F(LiveCaptureToFile, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
   scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
   std::filesystem::rename(folder_.path() / "before", folder_.path() / "after");
-  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
-              saysAll("before/live.hexo: was moved to ", "after/live.hexo while it was open, with what was stored in it",
-                      "it can't be written anew", "No such file"));
+  EXPECT_THAT(
+      messageOf<StorageError>([&] { scripted.capture->close(); }),
+      saysAll("before/live.hexo: was moved to ", "after/live.hexo while it was open, with what was stored in it",
+              "it can't be written anew", "No such file"));
   EXPECT_THAT(openSession(folder_.path() / "after" / "live.hexo").poses(), SizeIs(1));
 }
 

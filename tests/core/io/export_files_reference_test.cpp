@@ -48,11 +48,11 @@ TEST_F(ExportedReference, TumSkinConfigHasTheStructureOfARealOne) {
   const auto calibration = calibrationFromTum(readTumXml(kReal / "tum_skin_config.xml"), builtInCellModel("hex-bma150"),
                                               "tum_skin_config.xml");
   const std::string ours = exportBytes(*calibration, ExportFormat::Tum, {});
-  EXPECT_EQ(structureOf(ours), structureOf(read(kReal / "tum_skin_config.xml")));
+  EXPECT_EQ(structureOf(ours), structureOf(readFile(kReal / "tum_skin_config.xml")));
 }
 
 TEST_F(ExportedReference, ARealTaxelFileIsReadByTheReaderOfOurs) {
-  const auto real = test::readIcubTaxels(read(kReal / "icub_left_forearm_V2.txt"));
+  const auto real = test::readIcubTaxels(readFile(kReal / "icub_left_forearm_V2.txt"));
   ASSERT_TRUE(real);
   EXPECT_EQ(real->name, "l_forearm");
   EXPECT_EQ(real->rows.size(), 384U);
@@ -70,8 +70,8 @@ TEST_F(ExportedReference, ARealTaxelFileIsReadByTheReaderOfOurs) {
     for (int k = 0; k < 4 && std::getline(in, line); ++k) keys.push_back(line.substr(0, line.find_first_of(" \t")));
     return keys;
   };
-  EXPECT_EQ(head(ours), head(read(kReal / "icub_left_forearm_V2.txt")));
-  EXPECT_TRUE(read(kReal / "icub_left_forearm_V2.txt").ends_with("\n\n"));
+  EXPECT_EQ(head(ours), head(readFile(kReal / "icub_left_forearm_V2.txt")));
+  EXPECT_TRUE(readFile(kReal / "icub_left_forearm_V2.txt").ends_with("\n\n"));
   EXPECT_TRUE(ours.ends_with("\n\n"));
 }
 

@@ -31,13 +31,13 @@ constexpr const char* kRobot = R"(<?xml version="1.0"?>
 class ExportRobotUrdf : public PlacedSkin {
  protected:
   void SetUp() override {
-    write(in("robot.urdf"), kRobot);
+    temporary_.put("robot.urdf", kRobot);
     options_.robot_urdf = in("robot.urdf");
     options_.placements.push_back({CellId(20), "upper_arm", T_upper_20_, {}});
   }
   std::string exported() {
     exportReconstruction(reconstruction_, ExportFormat::RobotUrdf, in("with_skin.urdf"), options_);
-    return read(in("with_skin.urdf"));
+    return readFile(in("with_skin.urdf"));
   }
   std::string refused() {
     return messageOf<Error>(
@@ -51,7 +51,7 @@ TEST_F(ExportRobotUrdf, AddsToTheGivenTextAndChangesNoByteOfIt) {
   const std::string robot = kRobot;
   for (const std::string& text :
        {robot, replaced(robot, "\n</robot>", "</robot>"), replaced(robot, "\n</robot>", "\r\n  </robot >")}) {
-    write(in("robot.urdf"), text);
+    temporary_.put("robot.urdf", text);
     const std::string found = exported();
     const std::size_t begin = static_cast<std::size_t>(std::ranges::mismatch(text, found).in1 - text.begin());
     const std::string rest = text.substr(begin);
@@ -98,7 +98,7 @@ TEST_F(ExportRobotUrdf, IsFoundGoodByCheckUrdf) {
 
 TEST_F(ExportRobotUrdf, ASecondSkinWithAnotherPrefixUsesTheMaterialsOfTheFirst) {
   options_.placements.pop_back();
-  write(in("robot.urdf"), exported());
+  temporary_.put("robot.urdf", exported());
   EXPECT_THAT(refused(), AllOf(HasSubstr("robot.urdf: already has a link skin_patch0"), HasSubstr("prefix")));
   options_.prefix = "back_";
   const auto model = urdf::parseURDF(exported());
@@ -123,9 +123,9 @@ TEST_F(ExportRobotUrdf, RefusesWhatItCannotBePutOnAndKeepsTheEarlierFile) {
       {replaced(kRobot, "<link name=\"forearm\"/>", "<xacro:include filename=\"forearm.xacro\"/>"), "xacro"},
   };
   for (const auto& [robot, why] : robots) {
-    write(in("robot.urdf"), robot);
+    temporary_.put("robot.urdf", robot);
     EXPECT_THAT(refused(), AllOf(HasSubstr("robot.urdf: "), HasSubstr(why)));
-    EXPECT_EQ(read(in("with_skin.urdf")), earlier);
+    EXPECT_EQ(readFile(in("with_skin.urdf")), earlier);
   }
   options_.robot_urdf = in("missing.urdf");
   EXPECT_THAT(refused(), HasSubstr("missing.urdf"));

@@ -124,7 +124,7 @@ TEST_F(ExportSelections, ABundleSaysWhatItsFilesAre) {
   const std::vector formats = {ExportFormat::TfYaml, ExportFormat::Skinware, ExportFormat::Stl, ExportFormat::Csv};
   const auto paths = exportBundle(reconstruction_, formats, in("out"), options_);
   EXPECT_EQ(paths.back(), in("out") / "manifest.json");
-  const auto manifest = nlohmann::json::parse(read(in("out") / "manifest.json"));
+  const auto manifest = nlohmann::json::parse(readFile(in("out") / "manifest.json"));
   EXPECT_EQ(manifest.at("format"), "hexoderm-manifest");
   EXPECT_THAT(manifest.at("program").get<std::string>(), ::testing::StartsWith("Hexoderm "));
   EXPECT_EQ(manifest.at("inputs").at(0).at("sha256"), std::string(64, 'a'));
@@ -133,7 +133,7 @@ TEST_F(ExportSelections, ABundleSaysWhatItsFilesAre) {
   for (const auto& file : manifest.at("files")) {
     const auto name = file.at("file").get<std::string>();
     files[name] = file;
-    EXPECT_EQ(file.at("sha256"), sha256Hex(read(in("out") / name))) << name;
+    EXPECT_EQ(file.at("sha256"), sha256Hex(readFile(in("out") / name))) << name;
   }
   EXPECT_EQ(files.at("skin.stl").at("length_unit"), "mm");
   EXPECT_EQ(files.at("skin.stl").at("coordinates"), "in the frame of cell 7, the origin of the patch");

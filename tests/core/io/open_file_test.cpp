@@ -92,11 +92,5 @@ TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
   EXPECT_THAT(complaint("SKINREC1 and no more"), saysAll("f.dat", "recording", "replay:"));
 }
 
-TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
-  EXPECT_THAT(complaint("{\"a\": [1, 2"), saysAll("f.dat", "at a[2]", "ends in the middle"));
-  EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [NaN]}"),
-              saysAll("f.dat: cells[0]", "finite", "NaN"));
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -6,9 +6,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
-using test::littleEndian;
-using test::refusalOf;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 

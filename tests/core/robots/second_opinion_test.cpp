@@ -16,7 +16,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
 using test::TemporaryFolder;
 
 void appendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& T_file_parent, TriangleMesh& result) {

@@ -165,7 +165,8 @@ TEST_F(SharedStore, ReadingWhatAKilledWriterLeftFindsEverythingAndChangesNothing
 
 TEST_F(SharedStore, IsReadAndNotWrittenInAReadOnlyFolder) {
   // No journal, also of a file that could be written; a journal, and one with its index.
-  for (const auto& [journal, mode] : {std::pair(0, 0444U), std::pair(0, 0666U), std::pair(1, 0444U), std::pair(2, 0444U)}) {
+  for (const auto& [journal, mode] :
+       {std::pair(0, 0444U), std::pair(0, 0666U), std::pair(1, 0444U), std::pair(2, 0444U)}) {
     SCOPED_TRACE(journal);
     const TemporaryFolder other;
     const fs::path file = other.path() / "arm.hexo";
