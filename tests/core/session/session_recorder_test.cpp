@@ -227,9 +227,7 @@ int fillTheDiskWithRawSamples(const fs::path& folder) {
       recorder.append(captureWithRaw(id), outcomes.acknowledge(static_cast<int>(id)));
     }
     for (const auto& named : outcomes.waitFor(kPoses)) {
-      if (named.outcome.error.empty()) continue;
-      std::cerr << "pose " << named.call << ": " << named.outcome.error << '\n';
-      return 1;
+      if (!named.outcome.error.empty()) return 1;
     }
     if (outcomes.waitFor(kPoses).back().outcome.without_raw.english().find("the disk has only") == std::string::npos)
       return 2;

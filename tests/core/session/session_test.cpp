@@ -1,6 +1,5 @@
 #include "hexoderm/session/session.h"
 
-#include "hexoderm/sim/simulated_session.h"
 #include "tests/support/options.h"
 #include "tests/support/testing.h"
 
@@ -92,17 +91,6 @@ TEST(Session, ANewSkinLeavesEverythingElse) {
   EXPECT_EQ(session.truth(), before->truth);
   EXPECT_EQ(session.source().text.english(), "an arm");
   EXPECT_EQ(session.nextPoseId(), PoseId(4)) << "the number of a pose that was removed is not used again";
-}
-
-TEST(SimulatedSession, HoldsSkinPosesAndTruth) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
-  const Session session = simulateSession(skin, 3);
-  EXPECT_EQ(session.poses().size(), 3);
-  EXPECT_EQ(session.poses()[0].capture->samples.size(), 17);
-  EXPECT_EQ(session.poses()[0].capture->samples[0].count, 100);
-  ASSERT_NE(session.truth(), nullptr);
-  EXPECT_EQ(session.truth()->cells.size(), 17);
-  EXPECT_THAT(session.source().text.english(), ::testing::HasSubstr("imulated")) << "simulation is called simulation";
 }
 
 }  // namespace
