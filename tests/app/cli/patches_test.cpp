@@ -2,9 +2,8 @@
 // export puts them at one place.
 
 #include "hexoderm/base/sha256.h"
+#include "hexoderm/io/session_json.h"
 #include "tests/app/cli/cli_program.h"
-
-#include <cstdint>
 
 namespace hexoderm {
 namespace {
@@ -14,24 +13,20 @@ class CliPatches : public Cli {
   /// Sets the only link of a cell aside, and solves.
   void SetUp() override {
     ASSERT_EQ(run("simulate --poses 4 --seed 4 -o arm.session.json").exit_code, 0);
-    auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
-    const auto joins = [](const nlohmann::json& port) { return port["cell"] != 0; };
-    for (const auto& cell : session["cells"]) {
-      if (std::ranges::count_if(cell["ports"], joins) != 1) continue;
-      const auto& port = *std::ranges::find_if(cell["ports"], joins);
+    Session session = readSessionJson(path("arm.session.json"));
+    for (const CellReport& cell : NeighborList(session.neighbors())) {
+      std::vector<NeighborReport> links = cell.neighbors;
+      std::erase_if(links, [](const NeighborReport& report) { return report.cell == CellId(0); });
+      if (links.size() != 1) continue;
       if (fallen_ != 0) {
-        free_end_ = std::to_string(cell["id"].get<int>()) + (port["port"] == 1 ? ":2" : ":1");
+        free_end_ = toString(cell.id) + (links[0].port == PortNumber(1) ? ":2" : ":1");
         break;
       }
-      fallen_ = cell["id"].get<std::uint32_t>();
-      session["muted_links"] = {{{"source", cell["id"]},
-                                 {"source_port", port["port"]},
-                                 {"target", port["cell"]},
-                                 {"target_port", port["cell_port"]},
-                                 {"why", "it came off"}}};
+      fallen_ = cell.id.value();
+      session.setLinkMuted({cell.id, links[0].port}, {links[0].cell, links[0].cell_port.value()}, true, "it came off");
     }
     ASSERT_NE(fallen_, 0U);
-    writeFileAtomically(path("arm.session.json"), session.dump());
+    writeSessionJson(session, path("arm.session.json"));
     const Outcome solve = run("solve arm.session.json -o arm.calibration.json");
     ASSERT_THAT(solve.out, AllOf(HasSubstr("2 patches"), HasSubstr("was set aside by hand (it came off)")))
         << solve.err;
@@ -69,9 +64,9 @@ TEST_F(CliPatches, APatchOrAllOfThemAreExportedOnRequest) {
   EXPECT_THAT(exported("ply", "--patch " + fallen), HasSubstr("in the frame of cell " + fallen));
   EXPECT_THAT(exported("vtp", "--all-patches"), HasSubstr("NumberOfPolys=\"" + std::to_string(17 * 8) + "\""));
   EXPECT_EQ(run("export arm.calibration.json --to csv -o tables").err, "") << "all of them, unasked";
-  for (const auto& [options, says] : {std::pair("ply --patch 999", "no patch holds a cell 999"),
-                                      std::pair("urdf --all-patches", "one frame"),
-                                      std::pair("vtp --patch 1 --all-patches", "all_patches")}) {
+  for (const auto& [options, says] :
+       {std::pair("ply --patch 999", "no patch holds a cell 999"), std::pair("urdf --all-patches", "one frame"),
+        std::pair("vtp --patch 1 --all-patches", "all_patches")}) {
     EXPECT_THAT(errorOf("export arm.calibration.json -o nowhere --to " + std::string(options), 2), HasSubstr(says));
   }
   EXPECT_FALSE(exists("nowhere"));

@@ -7,6 +7,7 @@
 
 #include "tests/app/emulator/emulator_program.h"
 #include "tests/core/device/sources/wire_host.h"
+#include "tests/support/options.h"
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -32,10 +33,9 @@ struct Host : WireHost {
 };
 
 /// The topology that the emulator should report of its skin.
-NeighborList trueTopology(const std::string& patch) {
-  SimulatedSkinOptions options;
-  options.patch = patch;
-  const SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
+NeighborList trueTopology() {
+  const SimulatedSkin skin(builtInCellModel("hex-bma150"),
+                           test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::patch, "ring8"));
   NeighborList cells = skin.neighbors();
   const LinkEnd interface_at = firstFreePorts(cells, skin.model()).at(0);
   cells[0].neighbors.push_back({interface_at.port, skin.model().interface_id, PortNumber(1)});
@@ -67,7 +67,7 @@ void talk(const Emulator& emulator, std::size_t cells) {
   {
     const Delivered delivered = host.listener.delivered();
     ASSERT_THAT(delivered.skins, SizeIs(1));
-    EXPECT_EQ(delivered.skins[0].neighbors, trueTopology("ring8"));
+    EXPECT_EQ(delivered.skins[0].neighbors, trueTopology());
     EXPECT_TRUE(delivered.skins[0].can_turn && delivered.skins[0].can_light_cells);
     EXPECT_THAT(delivered.skins[0].device.english(), HasSubstr("emulated"));
     for (std::size_t k = 1; k < delivered.frames.size(); ++k) {
@@ -168,32 +168,19 @@ TEST(Emulator, TheWireHasFaults) {
   Host host(emulator.address, quick);
   ASSERT_TRUE(host.waitForFrames(50));
 
-  emulator.type("drop 50%");
-  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.lost_samples > 0; }));
-  emulator.type("drop off");
-
-  std::size_t earlier = host.statusesSoFar();
-  EXPECT_EQ(emulator.type("silence on"), "silence on");
-  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.state == SourceState::Silent; }, earlier));
-  earlier = host.statusesSoFar();
-  emulator.type("silence off");
-  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.state == SourceState::Streaming; }, earlier));
-
-  const auto reconnects = [&] { return host.listener.delivered().status().reconnects; };
-  const auto waitForReconnect = [&](std::uint64_t before) {
-    return host.waitForStatus([&](const SourceStatus& s) { return s.reconnects > before; });
-  };
-  std::uint64_t before = reconnects();
-  emulator.type("garble on");
-  EXPECT_TRUE(host.waitForStatus([](const SourceStatus& s) { return s.rejected_messages > 0; }));
-  emulator.type("garble off");
-  EXPECT_TRUE(waitForReconnect(before));
-  ASSERT_TRUE(host.waitForNewFrames(50));
-
-  before = reconnects();
-  EXPECT_EQ(emulator.type("disconnect"), "disconnected");
-  EXPECT_TRUE(waitForReconnect(before));
-  EXPECT_TRUE(host.waitForNewFrames(50));
+  const std::pair<std::string, std::function<bool(const SourceStatus&)>> faults[] = {
+      {"drop 50%", [](const SourceStatus& s) { return s.lost_samples > 0; }},
+      {"silence on", [](const SourceStatus& s) { return s.state == SourceState::Silent; }},
+      {"garble on", [](const SourceStatus& s) { return s.rejected_messages > 0; }},
+      {"disconnect", [](const SourceStatus& s) { return s.state == SourceState::Connecting; }}};
+  for (const auto& [typed, shows] : faults) {
+    const std::size_t earlier = host.statusesSoFar();
+    EXPECT_THAT(emulator.type(typed), StartsWith(typed));
+    EXPECT_TRUE(host.waitForStatus(shows, earlier)) << typed;
+    if (typed != "disconnect") emulator.type(typed.substr(0, typed.find(' ')) + " off");
+    EXPECT_TRUE(host.waitForNewFrames(50)) << typed;
+  }
+  EXPECT_GE(host.listener.delivered().status().reconnects, 2U) << "after garbled bytes and where it was disconnected";
 }
 
 TEST(Emulator, GarbledBytesOnASerialPortCostTheirFrameOnly) {
