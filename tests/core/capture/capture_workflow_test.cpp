@@ -114,6 +114,9 @@ TEST_F(CaptureWorkflowTest, APoseCountsAsCapturedOnlyWhenItIsOnDisk) {
   EXPECT_THAT(posesOf<PoseKept>(), IsEmpty());
   EXPECT_THAT(told<FileRefused>(), SizeIs(1)) << "it is told once";
   EXPECT_TRUE(course_->isFileRefused());
+  course_->tick(CaptureWorkflow::Clock::time_point(std::chrono::hours(1)));
+  EXPECT_EQ(retries_, 0) << "without options nobody tries again by itself";
+  EXPECT_FALSE(course_->isFinished());
   store(pose);
   EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(pose));
   EXPECT_THAT(collect(told<PoseKept>(), &PoseKept::where), ElementsAre(KeptIn::File));
@@ -184,13 +187,6 @@ TEST_F(CaptureWorkflowTest, AFullDiskIsTriedAgainAndGivenUp) {
   EXPECT_TRUE(course_->isFinished());
   EXPECT_EQ(retries_, 2);
   EXPECT_EQ(course_->waiting(), 1U) << "it is still to be tried a last time";
-}
-
-TEST_F(CaptureWorkflowTest, WithoutOptionsNobodyTriesAgainByItself) {
-  refuse(take());
-  course_->tick(CaptureWorkflow::Clock::time_point(std::chrono::hours(1)));
-  EXPECT_EQ(retries_, 0);
-  EXPECT_FALSE(course_->isFinished());
 }
 
 TEST_F(CaptureWorkflowTest, RawSamplesGoToTheFileWhereTheyAreWanted) {
@@ -379,14 +375,9 @@ TEST_F(CaptureWorkflowTest, TheRobotStopsWhenThereAreEnoughOrAsManyAsItWasTold) 
   EXPECT_FALSE(course_->wantsMorePoses()) << "the number was the robot's";
   course_->setRobot(true);
   EXPECT_FALSE(course_->isRobotOn()) << "without a number, the assessment says that there are enough";
-}
-
-TEST_F(CaptureWorkflowTest, ANumberThatIsReachedAlreadyStopsTheRobotAtOnce) {
-  takeStoreAndSolve();
-  takeStoreAndSolve();
   turns_.clear();
-  course_->setRobot(true, 2);
-  EXPECT_FALSE(course_->isRobotOn());
+  course_->setRobot(true, wanted);
+  EXPECT_FALSE(course_->isRobotOn()) << "so many are there already";
   EXPECT_THAT(turns_, IsEmpty());
 }
 

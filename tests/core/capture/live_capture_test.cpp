@@ -282,7 +282,7 @@ TEST_F(LiveCaptureToFile, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
 }
 
 TEST_F(LiveCaptureToFile, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed) {
-  Scripted scripted({.record_to = folder_.path() / "live.skinrec"});
+  Scripted scripted({.source = "script", .record_to = folder_.path() / "live.skinrec"});
   scripted.source->describe(false);
   scripted.source->read(0.1, 0);
   const test::NoFileGrows full;

@@ -1,9 +1,8 @@
 // The robot's URDF with the skin on it, as urdfdom and check_urdf read it.
 
 #include "tests/core/io/placed_skin.h"
+#include "tests/core/io/urdf_places.h"
 #include "tests/support/other_programs.h"
-
-#include <urdf_parser/urdf_parser.h>
 
 namespace hexoderm {
 namespace {
@@ -65,21 +64,8 @@ TEST_F(ExportRobotUrdf, AddsToTheGivenTextAndChangesNoByteOfIt) {
 TEST_F(ExportRobotUrdf, IsReadByUrdfdom) {
   const auto model = urdf::parseURDF(exported());
   ASSERT_TRUE(model);
-  const auto placeIn = [&](const std::string& link, const std::string& root) {
-    SE3 T;
-    auto at = model->getLink(link);
-    while (at && at->name != root) {
-      EXPECT_EQ(at->parent_joint->type, urdf::Joint::FIXED) << at->name;
-      const urdf::Pose& pose = at->parent_joint->parent_to_joint_origin_transform;
-      const Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
-      T = SE3{q.toRotationMatrix(), {pose.position.x, pose.position.y, pose.position.z}} * T;
-      at = at->getParent();
-    }
-    EXPECT_TRUE(at) << link << " does not hang on " << root;
-    return T;
-  };
-  expectOnLink([&](const std::string& link) { return placeIn(link, "forearm"); });
-  EXPECT_THAT(placeIn("skin_cell20", "upper_arm"), SE3Near(T_upper_20_, 1e-9, 1e-9));
+  expectOnLink([&](const std::string& link) { return test::placeIn(*model, link, "forearm"); });
+  EXPECT_THAT(test::placeIn(*model, "skin_cell20", "upper_arm"), SE3Near(T_upper_20_, 1e-9, 1e-9));
   EXPECT_EQ(model->links_.size(), 3U + 2U + 4U + 4U) << "the robot, patches, cells and sensors";
   EXPECT_EQ(model->getLink("skin_cell12")->visual_array.size(), 3U);
   EXPECT_EQ(model->getLink("skin_cell12")->visual->material->name, "hexoderm_over");
