@@ -88,11 +88,11 @@ TEST(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
   const std::map<std::string, SE3> T_link_12 = {{"skin_cell12", {}},
                                                 {"skin_patch0", reconstruction.patches[0].cells[2].T_o_u}};
   for (const auto& [name, T_link_u] : T_link_12) {
-    const auto model =
+    const auto robot =
         urdf::parseURDF(urdfOf(reconstruction, test::with(&ExportOptions::link_per_cell, name == "skin_cell12")));
     std::vector<int> boxes_at(prism.size());
     int boxes = 0;
-    for (const auto& visual : model->getLink(name)->visual_array) {
+    for (const auto& visual : robot->getLink(name)->visual_array) {
       if (!visual->name.starts_with("skin_cell12_")) continue;
       ++boxes;
       EXPECT_EQ(visual->material_name, "hexoderm_over");
