@@ -6,12 +6,7 @@
 namespace hexoderm {
 namespace {
 
-class CliFiles : public CliWithSkin {
- protected:
-  void put(const std::string& name, std::string_view content) const {
-    std::ofstream(path(name), std::ios::binary) << content;
-  }
-};
+using CliFiles = CliWithSkin;
 
 /// What it says on standard error.
 std::string expectOneLine(const Outcome& outcome, int exit_code) {
@@ -68,7 +63,7 @@ TEST_F(CliFiles, PipesAreReadWhereverFilesAre) {
   EXPECT_THAT(run("inspect /dev/stdin", "cat '" + tum + "' | ").out, HasSubstr("calibration of cell model"));
   EXPECT_EQ(run("convert /dev/stdin -o tum.session.json", "cat '" + tum + "' | ").exit_code, 0);
   const auto session = nlohmann::json::parse(readFile(path("arm.session.json")));
-  put("model.json", readFile(HEXODERM_TEST_DATA "/../../resources/cell_models/hex-bma150.json"));
+  folder_.put("model.json", readFile(HEXODERM_TEST_DATA "/../../resources/cell_models/hex-bma150.json"));
   EXPECT_EQ(jsonOf("simulate --seed 4 --poses 3 --cell-model /dev/stdin -o -", 0, "cat model.json | ").at("poses"),
             session.at("poses"));
 }
@@ -94,7 +89,7 @@ TEST_F(CliFiles, HostileFilesEndWithOneLine) {
       {"<" + std::string(1'000'000, 'x') + "/>", "SkinConfig"},
   };
   for (const auto& [content, complaint] : hostile) {
-    put("hostile.json", content);
+    folder_.put("hostile.json", content);
     EXPECT_THAT(expectOneLine(run("solve hostile.json -o out.calibration.json"), 3),
                 AllOf(HasSubstr("hostile.json: "), HasSubstr(complaint)));
     EXPECT_FALSE(exists("out.calibration.json"));
@@ -113,7 +108,7 @@ TEST_F(CliFiles, NamesInFilesReachTheTerminalWithoutWhatSteersIt) {
   session["poses"][0]["label"] = name;
   session["poses"][0].erase("label_message");
   for (auto& cell : session["cells"]) cell["body_part"] = name + cell["id"].dump();  // findings name the parts
-  put("named.session.json", session.dump());
+  folder_.put("named.session.json", session.dump());
   ASSERT_NE(run("solve named.session.json -o named.calibration.json").exit_code, 3);
   for (const std::string command :
        {"solve named.session.json", "inspect named.session.json", "inspect named.session.json --json",

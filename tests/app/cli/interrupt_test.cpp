@@ -4,6 +4,7 @@
 #include "hexoderm/io/calibration_json.h"
 #include "tests/core/device/sources/loopback_device.h"
 #include "tests/support/child_process.h"
+#include "tests/support/neighbor_lists.h"
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
 
@@ -86,18 +87,9 @@ Run after(const std::vector<std::string>& commands, const Run& run) {
   };
 }
 
-std::string rowOfCells(int count) {
-  std::string lines = "{\"hello\": {\"device\": \"row\", \"cell_model\": \"hex-bma150\"}}\n";
-  lines += R"({"topology": {"id": 1, "cells": [)";
-  for (int k = 1; k <= count; ++k) {
-    lines += (k > 1 ? "," : "") + std::string(R"({"id": )") + std::to_string(k) + R"(, "ports": [)";
-    if (k < count) lines += R"({"port": 1, "cell": )" + std::to_string(k + 1) + R"(, "cell_port": 3})";
-    if (k > 1)
-      lines += (k < count ? "," : "") + std::string(R"({"port": 3, "cell": )") + std::to_string(k - 1) +
-               R"(, "cell_port": 1})";
-    lines += "]}";
-  }
-  return lines + "]}}\n";
+std::string rowOfCells(std::uint32_t count) {
+  return skinwire::encodeLine(skinwire::Hello{skinwire::kMinor, "row", "hex-bma150"}) + "\n" +
+         skinwire::encodeLine(skinwire::Topology{1, 0, 1, test::listOfSheet(1, count)}) + "\n";
 }
 
 End captureFromADeviceThatSaysNothing(const std::string& folder) {

@@ -98,10 +98,6 @@ TEST_F(CliListen, SendsCommandsAndSaysHowTheyAreAnswered) {
               HasSubstr("Command set_led of cell 99: not done after "));
 }
 
-TEST_F(CliListen, ABaudRateThatThereIsNotIsWrongUsage) {
-  EXPECT_THAT(errorOf("listen 'serial:/dev/null?baud=1234'", 2), HasSubstr("expected one of the baud rates 1200, "));
-}
-
 class EveryWrongDevice : public CliListen, public ::testing::WithParamInterface<std::size_t> {};
 
 TEST_P(EveryWrongDevice, IsToldWhatIsWrong) {

@@ -17,10 +17,8 @@ Eigen::Vector3d vectorOf(const nlohmann::json& numbers) {
 class CliPlace : public Cli {
  protected:
   CliPlace() {
-    EXPECT_EQ(run("simulate --robot demo --mount forearm:0.08,0,0.12,0,0,1.5708 --poses 4 --seed 3 -o arm.session.json")
-                  .exit_code,
-              0);
-    EXPECT_EQ(run("solve arm.session.json -o arm.calibration.json").exit_code, 0);
+    outputOf("simulate --robot demo --mount forearm:0.08,0,0.12,0,0,1.5708 --poses 4 --seed 3 -o arm.session.json");
+    outputOf("solve arm.session.json -o arm.calibration.json");
     const auto calibration = nlohmann::json::parse(readFile(path("arm.calibration.json")));
     origin_ = calibration["patches"][0]["origin"].get<int>();
     const auto truth = nlohmann::json::parse(readFile(path("arm.truth.json")));
@@ -148,9 +146,7 @@ class CliLinks : public Cli {
  protected:
   /// Patches on the upper arm and the forearm of the demo robot.
   void takePoses(int poses) const {
-    const Outcome outcome =
-        run("simulate --robot demo --seed 1 --poses " + std::to_string(poses) + " -o arm.session.json");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    outputOf("simulate --robot demo --seed 1 --poses " + std::to_string(poses) + " -o arm.session.json");
   }
   [[nodiscard]] nlohmann::json links(const std::string& options = "") const {
     return nlohmann::json::parse(run("links arm.session.json --robot demo --json " + options).out);
@@ -201,12 +197,11 @@ class CliParts : public Cli {
  protected:
   /// Two patches on the upper arm and one on the forearm, between which an elbow moves. Cells are numbered mount by
   /// mount.
-  void takePoses(int poses, const std::string& options = "") const {
-    const Outcome outcome =
-        run("simulate --robot demo --mount upper_arm:0,0.05,0.1 --mount upper_arm:0,-0.05,0.2 --mount "
-            "forearm:0,0.05,0.1 --seed 1 --poses " +
-            std::to_string(poses) + " " + options + " -o arm.session.json");
-    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  void takePoses(int poses) const {
+    outputOf(
+        "simulate --robot demo --mount upper_arm:0,0.05,0.1 --mount upper_arm:0,-0.05,0.2 --mount "
+        "forearm:0,0.05,0.1 --seed 1 -o arm.session.json --poses " +
+        std::to_string(poses));
   }
   /// Of a cell on its link.
   [[nodiscard]] Eigen::Matrix3d trueRotation(int id) const {

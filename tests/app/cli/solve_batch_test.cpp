@@ -1,19 +1,14 @@
 // `solve` of many sessions: what it leaves is what single runs leave, whatever goes wrong with some of them.
 
-#include "hexoderm/io/calibration_json.h"
-
+#include "hexoderm/base/text.h"
 #include "tests/app/cli/cli_program.h"
 
 namespace hexoderm {
 namespace {
 
 std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> lines;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    lines.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
+  std::vector<std::string> lines = split(text, '\n');
+  lines.pop_back();  // behind the last line feed
   return lines;
 }
 

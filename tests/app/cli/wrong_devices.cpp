@@ -1,10 +1,10 @@
 #include "tests/app/cli/wrong_devices.h"
 
-#include "hexoderm/device/skinwire/crc32c.h"
 #include "hexoderm/device/skinwire/framing.h"
 #include "hexoderm/skin/cell_model.h"
 
 #include <algorithm>
+#include <boost/crc.hpp>
 #include <cmath>
 #include <random>
 #include <regex>
@@ -28,7 +28,7 @@ std::string modelWith(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
+std::string substituted(const std::string& text, const std::string& from, const std::string& to) {
   return std::regex_replace(text, std::regex(from), to);
 }
 
@@ -69,21 +69,13 @@ void withTypes(Device& device) {
 
 Json& cell(Device& device, std::size_t k) { return device.topology["cells"][k]; }
 
-std::uint32_t crc32OfZip(const std::string& bytes) {
-  std::uint32_t crc = 0xFFFFFFFF;
-  for (const char c : bytes) {
-    crc ^= static_cast<std::uint8_t>(c);
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
-  }
-  return ~crc;
-}
-
 /// The first frame, of which the last four bytes are another checksum.
 std::string withZipCrc(std::string frames) {
   const std::size_t length = static_cast<std::uint8_t>(frames[0]) + 256U * static_cast<std::uint8_t>(frames[1]);
   std::string body = frames.substr(4, length);
-  const std::uint32_t crc = crc32OfZip(body.substr(0, length - 4));
-  for (std::size_t k = 0; k < 4; ++k) body[length - 4 + k] = static_cast<char>(crc >> (8 * k));
+  boost::crc_32_type crc;
+  crc.process_bytes(body.data(), length - 4);
+  for (std::size_t k = 0; k < 4; ++k) body[length - 4 + k] = static_cast<char>(crc.checksum() >> (8 * k));
   return frames.substr(0, 4) + body;
 }
 
@@ -163,20 +155,18 @@ const std::vector<WrongDevice>& wrongDevices() {
   static const std::vector<WrongDevice> devices = {
       // what came is no message
       {"not JSON", asSent([](auto) { return "12.5;0.1;0.2;0.9\n12.6;0.1;0.2;0.9\n"; }), Kind::NotJson, "character 5 is not JSON any more"},
-      {"text of Python", asSent([](auto t) { return replaced(replaced(t, "\"", "'"), "100\\}", "100, 'can_turn': True}"); }), Kind::NotJson, "character 2 is not JSON any more"},
-      {"JSON in several lines", asSent([](auto t) { return replaced(t, "\\{", "{\n"); }), Kind::NotJson, "ends in the middle of its JSON"},
-      {"lines in a list", asSent([](auto t) { return "[" + replaced(t.substr(0, t.size() - 1), "\n", ",") + "]\n"; }), Kind::NotAMessage, "found an array of 302"},
-      {"a list of numbers", asSent([](auto) { return "[1, 0.1, 0.2, 0.9]\n[2, 0.1, 0.2, 0.9]\n"; }), Kind::NotAMessage, "found an array of 4"},
-      {"carriage returns", asSent([](auto t) { return replaced(t, "\n", "\r"); }), Kind::NoLineFeed, "expected a line feed (0x0A)"},
-      {"nothing between the messages", asSent([](auto t) { return replaced(t, "\n", ""); }), Kind::NoLineFeed, "expected a line feed (0x0A)"},
+      {"text of Python", asSent([](auto t) { return substituted(substituted(t, "\"", "'"), "100\\}", "100, 'can_turn': True}"); }), Kind::NotJson, "character 2 is not JSON any more"},
+      {"JSON in several lines", asSent([](auto t) { return substituted(t, "\\{", "{\n"); }), Kind::NotJson, "ends in the middle of its JSON"},
+      {"lines in a list", asSent([](auto t) { return "[" + substituted(t.substr(0, t.size() - 1), "\n", ",") + "]\n"; }), Kind::NotAMessage, "found an array of 302"},
+      {"carriage returns", asSent([](auto t) { return substituted(t, "\n", "\r"); }), Kind::NoLineFeed, "expected a line feed (0x0A)"},
       {"UTF-16", asSent([](auto t) { return inUtf16(t); }), Kind::WrongDialect, "text in UTF-16"},
       {"terminal's codes", asSent([](auto) { return "\x1b]0;boot\x07\x1b[31mready\n"; }), Kind::NotJson, "character 1 is not JSON any more"},
       {"another CRC", asBytes(withZipCrc), Kind::BrokenFrame, "the CRC is CRC-32, expected CRC-32C"},
       {"a big-endian length", asBytes(withBigEndianLength), Kind::BrokenFrame, "is big-endian, expected little-endian"},
       {"a body without its length", asBytes([](auto b) { return b.substr(4); }), Kind::WrongDialect, "neither a line of JSON nor a frame"},
-      {"a misspelt message", asSent([](auto t) { return replaced(t, "\"samples\"", "\"sample\""); }), Kind::UnknownMessage, "did you mean \"samples\"?"},
+      {"a misspelt message", asSent([](auto t) { return substituted(t, "\"samples\"", "\"sample\""); }), Kind::UnknownMessage, "did you mean \"samples\"?"},
       {"a type beside the fields", withTypes, Kind::UnknownMessage, "there is no message \"acceleration_g\"; expected one of hello, topology"},
-      {"two messages in a line", asSent([](auto t) { return replaced(t, "\\}\\}\n\\{\"topology\"", "},\"topology\""); }), Kind::NotAMessage, "expected one message in a line, found 2"},
+      {"two messages in a line", asSent([](auto t) { return substituted(t, "\\}\\}\n\\{\"topology\"", "},\"topology\""); }), Kind::NotAMessage, "expected one message in a line, found 2"},
       {"another major version", [](Device& d) { d.more.push_back(Json::object({{"major", 2}})); d.samples.clear(); }, Kind::OtherVersion, "speaks SkinWire 2"},
       // fields
       {"misspelt readings", eachSamples([](Json& s) { rename(s, "acceleration_g", "acelleration_g"); }), Kind::UnknownField, "samples.acelleration_g: there is no such field; did you mean acceleration_g?"},
@@ -188,12 +178,9 @@ const std::vector<WrongDevice>& wrongDevices() {
       {"axes by name", eachSamples([](Json& s) { s["acceleration_g"] = Json::array({{{"x", 0}, {"y", 0}, {"z", 1}}}); }), Kind::WrongType, "samples.acceleration_g[0]: expected a number, found an object"},
       {"readings in an object", eachSamples([](Json& s) { s["acceleration_g"] = {{"1", {0, 0, 1}}}; }), Kind::WrongType, "samples.acceleration_g: expected an array, found an object"},
       {"a cell model that is no text", [](Device& d) { d.hello["cell_model"] = Json::parse(modelWith("", "")); }, Kind::WrongType, "a cell model goes as the text of its JSON"},
-      {"a list of cells by name", eachSamples([](Json& s) { s["cells"] = {"a", "b", "c"}; }), Kind::WrongType, "samples.cells[0]: expected a number, found \"a\""},
       {"negative cells", eachSamples([](Json& s) { s["cells"][2] = -1; }), Kind::WrongValue, "samples.cells[2]: expected a whole number from 0 to 4294967295, found -1"},
-      {"a fraction of a cell", eachSamples([](Json& s) { s["cells"][2] = 1.5; }), Kind::WrongValue, "samples.cells[2]: expected a whole number"},
-      {"NaN", asSent([](auto t) { return replaced(t, "\\[0\\.[0-9]+,", "[NaN,"); }), Kind::WrongValue, "expected finite numbers, found NaN"},
+      {"NaN", asSent([](auto t) { return substituted(t, "\\[0\\.[0-9]+,", "[NaN,"); }), Kind::WrongValue, "expected finite numbers, found NaN"},
       {"seconds as fractions", eachTime([](auto us) { return static_cast<double>(us) * 1e-6 + 1e-9; }), Kind::WrongValue, "samples.time_us: expected a whole number"},
-      {"a negative time", eachTime([](auto us) { return -static_cast<std::int64_t>(us); }), Kind::WrongValue, "samples.time_us: expected a whole number"},
       {"several ticks without a period", eachSamples([](Json& s) { s["cells"] = {1}; }), Kind::WrongValue, "samples.period_us: expected at least 1"},
       {"a reading short", eachSamples([](Json& s) { s["acceleration_g"].erase(8); }), Kind::WrongLength, "samples.acceleration_g: expected a multiple of 3 numbers for each of 3 cells, found 8"},
       {"two kinds of readings", eachSamples([](Json& s) { s["raw_lsb"] = {0, 0, 256, 0, 0, 256, 0, 0, 256}; }), Kind::WrongLength, "expected exactly one"},
@@ -223,7 +210,6 @@ const std::vector<WrongDevice>& wrongDevices() {
       {"LSB without a scale", [](Device& d) { d.hello["cell_model"] = modelWith("\"lsb_g\": 0.00390625", "\"lsb_g\": 0"); d.eachSamples([](Json& s) { s.erase("acceleration_g"); s["raw_lsb"] = {0, 0, 256, 0, 0, 256, 0, 0, 256}; }); }, Kind::NoScale, "lsb_g is above 0"},
       {"no time", eachSamples([](Json& s) { s.erase("time_us"); }), Kind::NoTime, "samples.time_us: is missing, or 0 again"},
       {"time backwards", [](Device& d) { std::ranges::reverse(d.samples); d.eachSamples([](Json& s) { s.erase("sequence"); }); }, Kind::TimeBackwards, "samples.time_us: went back from 7990000 to 7980000"},
-      {"a time that stands still", eachTime([](auto) { return 5'000'000; }), Kind::TimeBackwards, "samples.time_us: is 5000000 again"},
       {"whole seconds", eachTime([](auto us) { return us / 1'000'000; }), Kind::TimeBackwards, "samples.time_us: is 5 again"},
       {"milliseconds", eachTime([](auto us) { return us / 1000; }), Kind::TimeUnit, "are these milliseconds?"},
       {"milliseconds, no rate", [](Device& d) { d.hello.erase("rate_hz"); eachTime([](auto us) { return us / 1000; })(d); }, Kind::TimeUnit, "are these milliseconds?"},

@@ -7,7 +7,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <iostream>
 
 namespace hexoderm {
 namespace {
@@ -30,7 +29,6 @@ class Bookkeeper final : public SkinListener {
     received += of_means_ ? frame.means.size() : frame.samples.size();
     last_tick_ = tickOf(frame);
     if (!first_tick_) first_tick_ = last_tick_;
-    for (const CellMean& mean : frame.means) averaged += mean.count;
   }
   void onStatus(const SourceStatus& status) override {
     const std::lock_guard lock(mutex_);
@@ -69,7 +67,6 @@ class Bookkeeper final : public SkinListener {
   }
 
   std::uint64_t received = 0;  ///< samples, or means
-  std::uint64_t averaged = 0;  ///< samples in the means
   std::atomic<bool> is_slowed_down = false;
   bool is_answered = false;  ///< the command that was sent
   SourceStatus source;
@@ -109,11 +106,6 @@ TEST_P(EmulatorUnderLoad, KeepsUpOrSaysPreciselyWhatWasDropped) {
   EXPECT_TRUE(books.isSettled());
   const SourceStatus& status = books.source;
   EXPECT_EQ(status.reconnects + status.rejected_messages + status.late_frames + status.unknown_samples, 0U);
-  const double dropped = static_cast<double>(status.lost_samples);
-  std::cout << books.received << (means_of > 0 ? " means" : " samples") << " received, " << status.lost_samples
-            << " dropped (" << 100 * dropped / (dropped + static_cast<double>(books.received)) << " %)";
-  if (means_of > 0) std::cout << ", of " << books.averaged << " samples";
-  std::cout << '\n';
 }
 
 INSTANTIATE_TEST_SUITE_P(SamplesAndMeans, EmulatorUnderLoad, testing::Values(0U, 20U));

@@ -1,5 +1,6 @@
 #include "hexoderm/capture/calm_up.h"
 
+#include "tests/support/normal_draw.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm {
@@ -10,24 +11,17 @@ Eigen::Vector3d turned(double angle_deg) {
 }
 
 /// How a hand trembles: 0.6 degrees, 1 sigma, about each of two axes, as the readings of a tenth of a second have it.
-class Tremor {
- public:
-  Eigen::Vector3d about(const Eigen::Vector3d& up) {
-    std::normal_distribution<double> angle(0, 0.6 * kDegree);
-    return expSO3(Eigen::Vector3d(angle(random_), angle(random_), angle(random_))) * up;
-  }
-
- private:
-  std::mt19937 random_{7};
-};
+Eigen::Vector3d trembling(test::NormalDraw& draw, const Eigen::Vector3d& up) {
+  return expSO3(0.6 * kDegree * draw.vector()) * up;
+}
 
 TEST(CalmUp, APartThatIsHeldStaysWhereItIs) {
   CalmUp calm;
-  Tremor tremor;
-  Eigen::Vector3d shown = *calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+  test::NormalDraw draw(7);
+  Eigen::Vector3d shown = *calm.follow(trembling(draw, Eigen::Vector3d::UnitZ()));
   int moves = 0;
   for (int k = 0; k < 1000; ++k) {
-    const Eigen::Vector3d next = *calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+    const Eigen::Vector3d next = *calm.follow(trembling(draw, Eigen::Vector3d::UnitZ()));
     moves += next != shown;
     shown = next;
   }
@@ -37,22 +31,22 @@ TEST(CalmUp, APartThatIsHeldStaysWhereItIs) {
 
 TEST(CalmUp, ALargeMoveIsFollowedAtOnce) {
   CalmUp calm;
-  Tremor tremor;
-  for (int k = 0; k < 100; ++k) calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+  test::NormalDraw draw(7);
+  for (int k = 0; k < 100; ++k) calm.follow(trembling(draw, Eigen::Vector3d::UnitZ()));
   EXPECT_EQ(*calm.follow(turned(30)), turned(30));
   EXPECT_EQ(*calm.follow(turned(60)), turned(60));
 }
 
 TEST(CalmUp, ASlowTurnIsFollowedAndNotLostInSmallSteps) {
   CalmUp calm;
-  Tremor tremor;
-  for (int k = 0; k < 100; ++k) calm.follow(tremor.about(Eigen::Vector3d::UnitZ()));
+  test::NormalDraw draw(7);
+  for (int k = 0; k < 100; ++k) calm.follow(trembling(draw, Eigen::Vector3d::UnitZ()));
   // Half a degree a second.
   std::optional<Eigen::Vector3d> shown;
   double farthest = 0;
   for (int k = 0; k < 800; ++k) {
     const Eigen::Vector3d is = turned(0.025 * k);
-    shown = calm.follow(tremor.about(is));
+    shown = calm.follow(trembling(draw, is));
     farthest = std::max(farthest, angleBetween(*shown, is));
   }
   EXPECT_LT(toDegrees(farthest), 3);

@@ -3,6 +3,7 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/solve/metrics/pose_coverage.h"
 #include "hexoderm/solve/reconstructor.h"
+#include "tests/core/capture/events_of.h"
 #include "tests/support/testing.h"
 
 #include <deque>
@@ -41,22 +42,18 @@ class CaptureWorkflowTest : public testing::Test, public CaptureOwner {
   }
   void retryWriting() override { ++retries_; }
   void onWorkflowEvent(const WorkflowEvent& event) override {
-    if (const auto* taken = std::get_if<PoseTaken>(&event)) taken_.push_back(taken->captured.pose->id);
-    if (const auto* kept = std::get_if<PoseKept>(&event)) {
-      kept_.push_back(kept->captured.pose->id);
-      kept_in_.push_back(kept->where);
-      repeats_ = kept->captured.repeats;
-    }
-    if (const auto* lost = std::get_if<PoseLost>(&event)) lost_.push_back(lost->why);
-    if (std::holds_alternative<FileRefused>(event)) ++refusals_;
-    if (std::holds_alternative<FileRenewed>(event)) kept_when_renewed_.push_back(kept_.size());
-    if (const auto* changed = std::get_if<SkinChanged>(&event)) {
-      ++skin_changes_;
-      other_models_ += changed->other_model ? 1 : 0;
-    }
-    if (std::holds_alternative<WorkflowFinished>(event)) ++finishes_;
+    events_.push_back(event);
     if (const auto* wanted = std::get_if<AdviceWanted>(&event)) question_ = wanted->question;
-    if (const auto* refused = std::get_if<TurnRefused>(&event)) turn_refusals_.push_back(*refused);
+  }
+
+  // What it told.
+  template <class Event>
+  [[nodiscard]] std::vector<Event> told() const {
+    return test::eventsOf<Event>(events_);
+  }
+  template <class Event>
+  [[nodiscard]] std::vector<PoseId> posesOf() const {
+    return collect(told<Event>(), [](const Event& event) { return event.captured.pose->id; });
   }
 
   // Events for the course.
@@ -102,34 +99,31 @@ class CaptureWorkflowTest : public testing::Test, public CaptureOwner {
   std::size_t steps_ = 0;
   std::vector<TurnTo> turns_;
   int retries_ = 0;
-  std::vector<PoseId> taken_, kept_;
-  std::vector<KeptIn> kept_in_;
-  std::optional<PoseId> repeats_;  ///< of the pose that was kept last
-  std::vector<Message> lost_;
-  std::vector<std::size_t> kept_when_renewed_;  ///< the number of poses that were kept when the file was written anew
-  int refusals_ = 0, skin_changes_ = 0, other_models_ = 0, finishes_ = 0;
+  std::vector<WorkflowEvent> events_;
   std::optional<AdviceQuestion> question_;
-  std::vector<TurnRefused> turn_refusals_;
 };
 
 TEST_F(CaptureWorkflowTest, APoseCountsAsCapturedOnlyWhenItIsOnDisk) {
   const PoseId pose = take();
   EXPECT_THAT(session_.poses(), SizeIs(1));
-  EXPECT_THAT(taken_, ElementsAre(pose));
-  EXPECT_THAT(kept_, IsEmpty());
+  EXPECT_THAT(posesOf<PoseTaken>(), ElementsAre(pose));
+  EXPECT_THAT(posesOf<PoseKept>(), IsEmpty());
   EXPECT_EQ(course_->waiting(), 1U);
   refuse(pose);
   refuse(pose);
-  EXPECT_THAT(kept_, IsEmpty());
-  EXPECT_EQ(refusals_, 1) << "it is told once";
+  EXPECT_THAT(posesOf<PoseKept>(), IsEmpty());
+  EXPECT_THAT(told<FileRefused>(), SizeIs(1)) << "it is told once";
   EXPECT_TRUE(course_->isFileRefused());
+  course_->tick(CaptureWorkflow::Clock::time_point(std::chrono::hours(1)));
+  EXPECT_EQ(retries_, 0) << "without options nobody tries again by itself";
+  EXPECT_FALSE(course_->isFinished());
   store(pose);
-  EXPECT_THAT(kept_, ElementsAre(pose));
-  EXPECT_THAT(kept_in_, ElementsAre(KeptIn::File));
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(pose));
+  EXPECT_THAT(collect(told<PoseKept>(), &PoseKept::where), ElementsAre(KeptIn::File));
   EXPECT_EQ(course_->waiting(), 0U);
   EXPECT_FALSE(course_->isFileRefused());
   store(pose);
-  EXPECT_THAT(kept_, SizeIs(1)) << "once";
+  EXPECT_THAT(posesOf<PoseKept>(), SizeIs(1)) << "once";
 }
 
 TEST_F(CaptureWorkflowTest, TellsThatTheFileWasWrittenAnewBeforeItsPose) {
@@ -137,25 +131,28 @@ TEST_F(CaptureWorkflowTest, TellsThatTheFileWasWrittenAnewBeforeItsPose) {
   outcome.renewed = Message::verbatim("it was removed");
   course_->setStored(take(), outcome);
   store(take());
-  EXPECT_THAT(kept_when_renewed_, ElementsAre(0U));
+  const std::vector<std::size_t> kinds = collect(events_, &WorkflowEvent::index);
+  EXPECT_LT(std::ranges::find(kinds, WorkflowEvent(FileRenewed{}).index()),
+            std::ranges::find(kinds, WorkflowEvent(PoseKept{}).index()));
+  EXPECT_THAT(told<FileRenewed>(), SizeIs(1));
 }
 
 TEST_F(CaptureWorkflowTest, WithoutAFileItCountsAtOnceAndIsSaidToBeInMemory) {
   const PoseId first = take();
   course_->setKeptIn(KeptIn::Memory);
-  EXPECT_THAT(kept_, ElementsAre(first)) << "what waited for the file does so no more";
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(first)) << "what waited for the file does so no more";
   const PoseId second = take();
-  EXPECT_THAT(kept_, ElementsAre(first, second));
-  EXPECT_THAT(kept_in_, ElementsAre(KeptIn::Memory, KeptIn::Memory));
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(first, second));
+  EXPECT_THAT(collect(told<PoseKept>(), &PoseKept::where), ElementsAre(KeptIn::Memory, KeptIn::Memory));
   course_->setKeptIn(KeptIn::File);
   take();
-  EXPECT_THAT(kept_, SizeIs(2));
+  EXPECT_THAT(posesOf<PoseKept>(), SizeIs(2));
 }
 
 TEST_F(CaptureWorkflowTest, APoseThatCanNotBeWrittenForGoodIsLost) {
   course_->setStored(take(), {0, Message::verbatim("the session was closed"), false});
-  EXPECT_THAT(lost_, ElementsAre(Message::verbatim("the session was closed")));
-  EXPECT_THAT(kept_, IsEmpty());
+  EXPECT_THAT(collect(told<PoseLost>(), &PoseLost::why), ElementsAre(Message::verbatim("the session was closed")));
+  EXPECT_THAT(posesOf<PoseKept>(), IsEmpty());
   EXPECT_EQ(course_->waiting(), 0U);
 }
 
@@ -164,10 +161,10 @@ TEST_F(CaptureWorkflowTest, PosesThatAreBeingWrittenBecomeCapturedAfterTheSkinIs
   const PoseId second = take();
   course_->end();
   store(first);
-  EXPECT_THAT(kept_, ElementsAre(first));
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(first));
   course_->forget();
   store(second);
-  EXPECT_THAT(kept_, ElementsAre(first));
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(first));
 }
 
 TEST_F(CaptureWorkflowTest, AFullDiskIsTriedAgainAndGivenUp) {
@@ -190,13 +187,6 @@ TEST_F(CaptureWorkflowTest, AFullDiskIsTriedAgainAndGivenUp) {
   EXPECT_TRUE(course_->isFinished());
   EXPECT_EQ(retries_, 2);
   EXPECT_EQ(course_->waiting(), 1U) << "it is still to be tried a last time";
-}
-
-TEST_F(CaptureWorkflowTest, WithoutOptionsNobodyTriesAgainByItself) {
-  refuse(take());
-  course_->tick(CaptureWorkflow::Clock::time_point(std::chrono::hours(1)));
-  EXPECT_EQ(retries_, 0);
-  EXPECT_FALSE(course_->isFinished());
 }
 
 TEST_F(CaptureWorkflowTest, RawSamplesGoToTheFileWhereTheyAreWanted) {
@@ -233,9 +223,9 @@ TEST_F(CaptureWorkflowTest, ARecaptureTakesPlaceAndNumberOfItsPoseInOneStepAndTh
   EXPECT_EQ(course_->recapturing(), std::nullopt);
   EXPECT_EQ(session_.poses()[1].capture->id, PoseId(2));
   EXPECT_NE(session_.poses()[1].capture, before);
-  EXPECT_THAT(taken_, ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(2)));
+  EXPECT_THAT(posesOf<PoseTaken>(), ElementsAre(PoseId(1), PoseId(2), PoseId(3), PoseId(2)));
   store(PoseId(2));
-  EXPECT_EQ(kept_.back(), PoseId(2));
+  EXPECT_EQ(posesOf<PoseKept>().back(), PoseId(2));
   take();
   ASSERT_THAT(session_.poses(), SizeIs(4));
   EXPECT_EQ(session_.poses()[3].capture->id, PoseId(4));
@@ -249,7 +239,7 @@ TEST_F(CaptureWorkflowTest, ARecaptureIsNotSaidToRepeatThePoseThatItReplaces) {
     captured.repeats = repeated;
     course_->take(captured);
     store(PoseId(2));
-    return repeats_;
+    return told<PoseKept>().back().captured.repeats;
   };
   EXPECT_EQ(retake(PoseId(2)), std::nullopt);
   EXPECT_EQ(retake(PoseId(3)), PoseId(3)) << "another one is told";
@@ -263,10 +253,10 @@ TEST_F(CaptureWorkflowTest, ARecaptureCountsWhenItIsOnDiskItselfNotWhenThePoseBe
   const PoseId again = session_.poses()[0].capture->id;
   EXPECT_NE(again, pose) << "the file will answer about both";
   store(pose);
-  EXPECT_THAT(kept_, ElementsAre(pose));
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(pose));
   EXPECT_EQ(course_->waiting(), 1U);
   store(again);
-  EXPECT_THAT(kept_, ElementsAre(pose, again));
+  EXPECT_THAT(posesOf<PoseKept>(), ElementsAre(pose, again));
 }
 
 TEST_F(CaptureWorkflowTest, APoseThatIsGoneIsNotRecaptured) {
@@ -291,14 +281,14 @@ TEST_F(CaptureWorkflowTest, ASkinWithOtherCellsDoesNotJoinAndOtherLinksAreTakenO
   other = description_;
   for (CellReport& cell : other.neighbors) cell.neighbors.clear();
   EXPECT_TRUE(course_->join(session_, other));
-  EXPECT_EQ(skin_changes_, 1);
+  EXPECT_THAT(told<SkinChanged>(), SizeIs(1));
   EXPECT_EQ(session_.neighbors(), other.neighbors);
   course_->describe(other);
-  EXPECT_EQ(skin_changes_, 1) << "nothing is new";
+  EXPECT_THAT(told<SkinChanged>(), SizeIs(1)) << "nothing is new";
   course_->describe(description_);
-  EXPECT_EQ(skin_changes_, 2);
+  EXPECT_THAT(told<SkinChanged>(), SizeIs(2));
   EXPECT_THAT(session_.poses(), SizeIs(1)) << "poses stay";
-  EXPECT_EQ(other_models_, 0);
+  for (const SkinChanged& changed : told<SkinChanged>()) EXPECT_FALSE(changed.other_model);
 }
 
 TEST_F(CaptureWorkflowTest, AnotherCellModelIsNoticedAndTakenOver) {
@@ -308,11 +298,11 @@ TEST_F(CaptureWorkflowTest, AnotherCellModelIsNoticedAndTakenOver) {
   model.accelerometer.range_g = 4;
   other.model = std::make_shared<const CellModel>(model);
   course_->describe(other);
-  EXPECT_EQ(other_models_, 1);
+  EXPECT_TRUE(told<SkinChanged>().back().other_model);
   EXPECT_EQ(session_.model().accelerometer.range_g, 4);
   EXPECT_THAT(session_.poses(), SizeIs(1)) << "poses stay";
   course_->describe(other);
-  EXPECT_EQ(skin_changes_, 1) << "nothing is new";
+  EXPECT_THAT(told<SkinChanged>(), SizeIs(1)) << "nothing is new";
 }
 
 TEST_F(CaptureWorkflowTest, TheNextPoseIsWantedNeitherBeforeTheFirstNorOutOfReach) {
@@ -362,8 +352,9 @@ TEST_F(CaptureWorkflowTest, TheRobotTurnsWhenPoseResultAndAdviceAreThere) {
 
 TEST_F(CaptureWorkflowTest, TheRobotStopsWhenThereAreEnoughOrAsManyAsItWasTold) {
   course_->setRobot(true);
-  while (finishes_ == 0 && session_.poses().size() < 2 * CaptureWorkflow::kMaxPosesByItself) takeStoreAndSolve();
-  EXPECT_EQ(finishes_, 1);
+  while (told<WorkflowFinished>().size() == 0 && session_.poses().size() < 2 * CaptureWorkflow::kMaxPosesByItself)
+    takeStoreAndSolve();
+  EXPECT_THAT(told<WorkflowFinished>(), SizeIs(1));
   EXPECT_TRUE(course_->isFinished());
   EXPECT_FALSE(course_->isRobotOn());
   EXPECT_FALSE(reconstruct(*session_.snapshot())->assessment.wantsPose());
@@ -377,21 +368,16 @@ TEST_F(CaptureWorkflowTest, TheRobotStopsWhenThereAreEnoughOrAsManyAsItWasTold) 
   EXPECT_TRUE(course_->isRobotOn());
   EXPECT_TRUE(course_->wantsMorePoses());
   EXPECT_THAT(turns_, SizeIs(1)) << "it goes on at once";
-  while (finishes_ == 1 && session_.poses().size() < 2 * wanted) takeStoreAndSolve();
+  while (told<WorkflowFinished>().size() == 1 && session_.poses().size() < 2 * wanted) takeStoreAndSolve();
   EXPECT_THAT(session_.poses(), SizeIs(wanted));
   EXPECT_FALSE(course_->isRobotOn());
   EXPECT_TRUE(course_->isFinished());
   EXPECT_FALSE(course_->wantsMorePoses()) << "the number was the robot's";
   course_->setRobot(true);
   EXPECT_FALSE(course_->isRobotOn()) << "without a number, the assessment says that there are enough";
-}
-
-TEST_F(CaptureWorkflowTest, ANumberThatIsReachedAlreadyStopsTheRobotAtOnce) {
-  takeStoreAndSolve();
-  takeStoreAndSolve();
   turns_.clear();
-  course_->setRobot(true, 2);
-  EXPECT_FALSE(course_->isRobotOn());
+  course_->setRobot(true, wanted);
+  EXPECT_FALSE(course_->isRobotOn()) << "so many are there already";
   EXPECT_THAT(turns_, IsEmpty());
 }
 
@@ -414,8 +400,8 @@ TEST_F(CaptureWorkflowTest, ARefusedTurnIsNotAdvisedAgainAndARobotGivesUp) {
   ASSERT_THAT(turns_, SizeIs(1));
   answerTurn(false);
   advise();
-  ASSERT_THAT(turn_refusals_, SizeIs(1));
-  EXPECT_EQ(turn_refusals_[0].why.english(), "out of reach");
+  ASSERT_THAT(told<TurnRefused>(), SizeIs(1));
+  EXPECT_EQ(told<TurnRefused>()[0].why.english(), "out of reach");
   ASSERT_THAT(turns_, SizeIs(2));
   EXPECT_LT(turns_[1].up_u.dot(turns_[0].up_u), std::cos(30 * kDegree));
   for (std::size_t k = 1; k <= CaptureWorkflow::kMaxRefusals; ++k) {
@@ -424,7 +410,7 @@ TEST_F(CaptureWorkflowTest, ARefusedTurnIsNotAdvisedAgainAndARobotGivesUp) {
     advise();
   }
   EXPECT_FALSE(course_->isRobotOn());
-  EXPECT_TRUE(turn_refusals_.back().gave_up);
+  EXPECT_TRUE(told<TurnRefused>().back().gave_up);
   EXPECT_THAT(turns_, SizeIs(CaptureWorkflow::kMaxRefusals + 1));
 }
 
@@ -436,7 +422,7 @@ TEST_F(CaptureWorkflowTest, ADeviceThatIsGoneForAMomentHasRefusedNothingAndTheRo
   course_->setSending(false);
   answerTurn(false);
   advise();
-  EXPECT_THAT(turn_refusals_, IsEmpty());
+  EXPECT_THAT(told<TurnRefused>(), IsEmpty());
   EXPECT_THAT(turns_, SizeIs(1)) << "nobody is there to be asked";
   EXPECT_TRUE(course_->isRobotOn());
   course_->setSending(true);
@@ -453,7 +439,7 @@ TEST_F(CaptureWorkflowTest, ATurnByHandEndsTheRobotsRunAndItsRefusalCountsForNot
   EXPECT_FALSE(course_->isRobotOn());
   EXPECT_EQ(turns_.back().up_u, Eigen::Vector3d::UnitX());
   answerTurn(false);
-  EXPECT_THAT(turn_refusals_, IsEmpty());
+  EXPECT_THAT(told<TurnRefused>(), IsEmpty());
 }
 
 TEST_F(CaptureWorkflowTest, ATurnThatIsAskedForBeforeTheNewAdviceWaitsForIt) {

@@ -3,6 +3,7 @@
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/sim/simulated_skin.h"
+#include "tests/core/capture/events_of.h"
 #include "tests/support/failing_disk.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/testing.h"
@@ -11,7 +12,6 @@
 #include <future>
 #include <stop_token>
 #include <thread>
-#include <variant>
 
 namespace hexoderm {
 namespace {
@@ -103,19 +103,11 @@ struct Scripted {
 
   template <class Event>
   [[nodiscard]] std::vector<Event> told() const {
-    return of<Event>(events);
+    return test::eventsOf<Event>(events);
   }
   template <class Event>
   [[nodiscard]] std::vector<Event> toldByCourse() const {
-    return of<Event>(told<WorkflowEvent>());
-  }
-  template <class Event>
-  static std::vector<Event> of(const auto& events) {
-    std::vector<Event> found;
-    for (const auto& event : events) {
-      if (const auto* own = std::get_if<Event>(&event)) found.push_back(*own);
-    }
-    return found;
+    return test::eventsOf<Event>(told<WorkflowEvent>());
   }
 
   ScriptedSource* source = nullptr;
@@ -195,17 +187,10 @@ TEST(LiveCapture, AdvisesNoPoseThatTheResultDoesNotWant) {
   EXPECT_FALSE(is_wanted);
 }
 
-TEST(LiveCapture, EndsByItselfWhereTheVerdictIsGoodEnough) {
-  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .automatic = true});
-  EXPECT_THAT(posesOf(capture), testing::Not(IsEmpty()));
-  EXPECT_NE(capture.state().result->assessment.level, VerdictLevel::NotEnough);
-}
-
-TEST(LiveCapture, KeepsThePosesInItsFileAndWhatTheDeviceSentInARecording) {
-  const test::TemporaryFolder folder;
+TEST_F(LiveCaptureToFile, KeepsThePosesAndWhatTheDeviceSentInARecording) {
   LiveCaptureOptions options = fourPoses();
-  options.file = folder.path() / "live.hexo";
-  options.record_to = folder.path() / "live.skinrec";
+  options.file = options_.file;
+  options.record_to = folder_.path() / "live.skinrec";
   std::size_t in_file = 0;
   {
     LiveCapture capture(options);
@@ -247,18 +232,18 @@ TEST_F(LiveCaptureToFile, AFileThatIsRemovedMeanwhileIsWrittenAnew) {
   EXPECT_EQ(folder_.entryCount(), 1U);
 }
 
-TEST(LiveCapture, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
-  const test::TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path() / "before");
-  LiveCaptureOptions options;
-  options.file = folder.path() / "before" / "live.hexo";
-  Scripted scripted(options);
+TEST_F(LiveCaptureToFile, AFileWhoseFolderIsMovedAwayIsNotSaidToBeThere) {
+  std::filesystem::create_directory(folder_.path() / "before");
+  options_.file = folder_.path() / "before" / "live.hexo";
+  Scripted scripted(options_);
   scripted.hold();
   ASSERT_TRUE(scripted.capture->next());
-  std::filesystem::rename(folder.path() / "before", folder.path() / "after");
-  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->close(); }),
-              saysAll("before/live.hexo: was moved to ", "after/live.hexo while it was open"));
-  EXPECT_THAT(openSession(folder.path() / "after" / "live.hexo").poses(), SizeIs(1));
+  std::filesystem::rename(folder_.path() / "before", folder_.path() / "after");
+  EXPECT_THAT(
+      messageOf<StorageError>([&] { scripted.capture->close(); }),
+      saysAll("before/live.hexo: was moved to ", "after/live.hexo while it was open, with what was stored in it",
+              "it can't be written anew", "No such file"));
+  EXPECT_THAT(openSession(folder_.path() / "after" / "live.hexo").poses(), SizeIs(1));
 }
 
 TEST_F(LiveCaptureToFile, SaysWhichPoseIsNotStoredWhereItIsEndedOnAFullDisk) {
@@ -296,35 +281,8 @@ TEST_F(LiveCaptureToFile, AFileThatTookNoPoseIsNotInTheWayOfTheNextCapture) {
   EXPECT_EQ(folder_.entryCount(), 0U);
 }
 
-TEST(LiveCapture, ARecordingThatEndsIsToldAtOnceAndTheCaptureGoesOn) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.poses = 1;
-  options.record_to = folder.path() / "live.skinrec";
-  Scripted scripted(options);
-  std::size_t told_before_the_pose = 0;
-  scripted.then = [&](const LiveCaptureEvent& event) {
-    if (tells<PoseTaken>(event)) told_before_the_pose = scripted.told<RecordingEnded>().size();
-  };
-  scripted.source->describe(false);
-  std::filesystem::remove(options.record_to);
-  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // it looks once a second
-  scripted.source->read(5, 0);
-  EXPECT_TRUE(scripted.capture->next());
-  EXPECT_EQ(told_before_the_pose, 1U);
-  EXPECT_THAT(messageOf<StorageError>([&] { scripted.capture->next(); }), saysAll("live.skinrec", "it was removed"));
-  EXPECT_THAT(scripted.told<RecordingEnded>(), SizeIs(1));
-  const LiveCaptureState state = scripted.capture->state();
-  EXPECT_THAT(state.recording_error.english(), saysAll("live.skinrec", "it was removed"));
-  EXPECT_THAT(state.session->poses(), SizeIs(1));
-  EXPECT_NE(state.result, nullptr);
-}
-
-TEST(LiveCapture, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options;
-  options.record_to = folder.path() / "live.skinrec";
-  Scripted scripted(options);
+TEST_F(LiveCaptureToFile, ARecordingThatBreaksInItsLastFlushIsToldAfterADeviceThatFailed) {
+  Scripted scripted({.source = "script", .record_to = folder_.path() / "live.skinrec"});
   scripted.source->describe(false);
   scripted.source->read(0.1, 0);
   const test::NoFileGrows full;
@@ -407,17 +365,14 @@ TEST(LiveCapture, SaysWhichTurnWasRefusedWhereNoPoseComesInTime) {
                       "as the script says"));
 }
 
-TEST(LiveCapture, WhatItsListenerThrowsEndsIt) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options = fourPoses();
-  options.file = folder.path() / "live.hexo";
-  LiveCapture capture(options, openSkinSource(kSkin), [](const LiveCaptureEvent& event) {
+TEST_F(LiveCaptureToFile, WhatItsListenerThrowsEndsIt) {
+  LiveCapture capture(options_, openSkinSource(kSkin), [](const LiveCaptureEvent& event) {
     if (tells<PoseKept>(event)) throw DeviceError("enough of it");
   });
   capture.start();
   EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), "enough of it");
   EXPECT_FALSE(capture.next());
-  EXPECT_THAT(openSession(options.file).poses(), SizeIs(1));
+  EXPECT_THAT(openSession(options_.file).poses(), SizeIs(1));
 }
 
 TEST(LiveCapture, PosesThatNobodyLetsItSolveAreKeptWithoutAResult) {
@@ -437,33 +392,13 @@ TEST(LiveCapture, PosesThatNobodyLetsItSolveAreKeptWithoutAResult) {
   }
 }
 
-TEST(LiveCapture, RefusesWhatCanNotBe) {
-  const test::TemporaryFolder folder;
-  LiveCaptureOptions options = fourPoses();
-  options.file = folder.path() / "live.json";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { LiveCapture capture(options); }), saysAll(".hexo", "live.json"));
-  options.file = folder.put("live.hexo", "somebody's");
-  EXPECT_THAT(messageOf<StorageError>([&] { LiveCapture capture(options); }), saysAll("live.hexo", "exists already"));
-  options.file.clear();
-  options.source = "nonsense://x";
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { LiveCapture capture(options); }), saysAll("nonsense"));
-  options = fourPoses();
-  options.timeout_s = 0;
-  EXPECT_THAT(messageOf<InvalidArgument>([&] { LiveCapture capture(options); }), saysAll("timeout_s"));
-}
-
-TEST(LiveCapture, SaysWhyNothingComes) {
-  LiveCapture capture(LiveCaptureOptions{.source = "tcp://127.0.0.1:1", .timeout_s = 0.2});
-  EXPECT_THAT(messageOf<DeviceError>([&] { capture.next(); }),
-              saysAll("tcp://127.0.0.1:1", "the device did not describe itself for 0.2 s"));
-  EXPECT_FALSE(capture.next());
-}
-
-TEST(LiveCapture, SaysThatNoSkinDescribedItself) {
-  const test::TemporaryFolder folder;
-  const LiveCaptureOptions options{.source = "replay:" + folder.put("stream", "SKINREC1").string() + "?speed=max"};
-  LiveCapture capture(options);
-  EXPECT_EQ(messageOf<DeviceError>([&] { capture.next(); }), options.source + ": ended before a skin described itself");
+TEST_F(LiveCaptureToFile, RefusesWhatCanNotBe) {
+  const auto refusal = [](const LiveCaptureOptions& options) {
+    return messageOf<Error>([&] { LiveCapture capture(options); });
+  };
+  EXPECT_THAT(refusal({.source = kSkin, .file = "live.json"}), saysAll(".hexo", "live.json"));
+  EXPECT_THAT(refusal({.source = kSkin, .file = folder_.put("live.hexo", "x")}), saysAll("live.hexo: exists already"));
+  EXPECT_THAT(refusal({.source = kSkin, .timeout_s = 0}), saysAll("timeout_s"));
 }
 
 TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
@@ -482,17 +417,23 @@ TEST(LiveCapture, ADeviceThatDoesNotTurnCanNotBeAsked) {
               saysAll("stdin", "no skin has described itself yet"));
 }
 
-TEST(LiveCapture, IsAskedToTurnWhileAnotherThreadWaits) {
-  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .poses = 2});  // it turns only when it is asked to
+TEST(LiveCapture, IsAskedToTurnAndClosedWhileAnotherThreadWaits) {
+  LiveCapture capture(LiveCaptureOptions{.source = kSkin, .poses = 3});  // it turns only when it is asked to
   auto waiting = std::async(std::launch::async, [&] { return posesOf(capture); });
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (!capture.state().last && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  ASSERT_TRUE(capture.state().last);
+  const auto waitForPose = [&](PoseId pose) {
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+    while (std::chrono::steady_clock::now() < deadline) {
+      const auto last = capture.state().last;
+      if (last && last->captured.pose->id == pose) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  };
+  ASSERT_TRUE(waitForPose(PoseId(1)));
   EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
   capture.turnToNextPose();
-  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  ASSERT_TRUE(waitForPose(PoseId(2)));
+  capture.close();
   capture.close();
   EXPECT_THAT(waiting.get(), ElementsAre(PoseId(1), PoseId(2)));
 }
@@ -503,16 +444,6 @@ TEST(LiveCapture, StopsWhenItIsToldAndGoesOn) {
   stop.request_stop();
   EXPECT_FALSE(capture.next(stop.get_token()));
   EXPECT_THAT(posesOf(capture), SizeIs(4));
-}
-
-TEST(LiveCapture, IsClosedByAnotherThread) {
-  // Nobody turns it, so that there is no second pose.
-  LiveCapture capture(LiveCaptureOptions{.source = "sim:x17", .poses = 2});
-  auto waiting = std::async(std::launch::async, [&] { return posesOf(capture).size(); });
-  EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(300)), std::future_status::timeout);
-  capture.close();
-  EXPECT_LE(waiting.get(), 1U);
-  capture.close();
 }
 
 }  // namespace

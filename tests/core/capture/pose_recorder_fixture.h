@@ -3,15 +3,24 @@
 // Skins and frames for a PoseRecorder, and what it makes of them.
 
 #include "hexoderm/capture/pose_recorder.h"
-#include "tests/core/capture/captures_of.h"
 #include "tests/core/capture/synthetic_stream.h"
 
 namespace hexoderm::pose_recorder_test {
 
-using test::Captures;
 using test::held;
 using test::StreamOptions;
 using test::SyntheticStream;
+
+/// Keeps everything that a PoseRecorder says.
+struct Captures : PoseRecorderListener {
+  std::vector<CapturedPose> poses;
+  std::vector<HoldStatus> holds;
+  std::vector<SkinPreview> previews;
+
+  void onPoseCaptured(CapturedPose captured) override { poses.push_back(std::move(captured)); }
+  void onHold(const HoldStatus& status) override { holds.push_back(status); }
+  void onPreview(SkinPreview preview) override { previews.push_back(std::move(preview)); }
+};
 
 inline SkinDescription skinOf(std::size_t cells, double rate_hz = 1000) {
   SkinDescription skin;

@@ -1,16 +1,15 @@
-#include "tests/core/capture/captures_of.h"
-#include "tests/core/capture/synthetic_stream.h"
+#include "tests/core/capture/pose_recorder_fixture.h"
 
 #include <atomic>
 #include <thread>
 
-namespace hexoderm {
+namespace hexoderm::pose_recorder_test {
 namespace {
 
 TEST(PoseRecorderThreads, CommandsMayComeFromAnotherThread) {
-  test::SyntheticStream stream({.cells = 3});
+  SyntheticStream stream({.cells = 3});
   stream.hold(1);
-  test::Captures captures;
+  Captures captures;
   PoseRecorder recorder(captures);
   std::atomic<bool> ended = false;
   std::thread operators([&] {
@@ -22,7 +21,7 @@ TEST(PoseRecorderThreads, CommandsMayComeFromAnotherThread) {
       recorder.setAutomatic(false);
     }
   });
-  for (const SampleFrame& frame : stream.frames) recorder.addFrame(frame);
+  feed(recorder, stream.frames);
   ended = true;
   operators.join();
 
@@ -32,10 +31,10 @@ TEST(PoseRecorderThreads, CommandsMayComeFromAnotherThread) {
   recorder.captureNow();
   stream.frames.clear();
   stream.hold(0.5);
-  for (const SampleFrame& frame : stream.frames) recorder.addFrame(frame);
+  feed(recorder, stream.frames);
   ASSERT_EQ(captures.poses.size(), 1U);
   EXPECT_EQ(captures.poses.front().pose->id, PoseId(9));
 }
 
 }  // namespace
-}  // namespace hexoderm
+}  // namespace hexoderm::pose_recorder_test

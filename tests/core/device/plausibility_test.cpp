@@ -56,12 +56,14 @@ TEST(ReadingCheck, APartThatIsWhirledIsNoOffence) {
   }
 }
 
-std::optional<ProtocolViolation> addEvery(std::uint64_t step_us, double stated_hz, double sensor_hz = 1000) {
+std::optional<ProtocolViolation> addEvery(std::uint64_t step_us, double stated_hz, bool is_whole = true,
+                                          int samples = 50) {
   ClockCheck check;
-  for (std::uint64_t k = 0; k < 50; ++k) {
-    if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, stated_hz, sensor_hz, true)) return offence;
+  std::optional<ProtocolViolation> found;
+  for (std::uint64_t time_us = 1'000'000; samples > 0; --samples, time_us += step_us) {
+    if (auto offence = check.addSample(CellId(1), time_us, stated_hz, 1000, is_whole)) found = offence;
   }
-  return std::nullopt;
+  return found;
 }
 
 TEST(ClockCheck, ComparesStepsWithTheStatedRate) {
@@ -77,14 +79,7 @@ TEST(ClockCheck, ComparesStepsWithTheStatedRate) {
 }
 
 TEST(ClockCheck, ARateThatIsNotTheStatedOneIsSaidUnlessSamplesWereLost) {
-  const auto judge = [](std::uint64_t step_us, bool is_whole) {
-    ClockCheck check;
-    std::optional<ProtocolViolation> found;
-    for (std::uint64_t k = 0; k < 100; ++k) {
-      if (auto offence = check.addSample(CellId(1), 1'000'000 + step_us * k, 100, 1000, is_whole)) found = offence;
-    }
-    return found;
-  };
+  const auto judge = [](std::uint64_t step_us, bool is_whole) { return addEvery(step_us, 100, is_whole, 100); };
   const std::optional<ProtocolViolation> slower = judge(35'714, true);
   ASSERT_TRUE(slower);
   EXPECT_EQ(slower->kind, ProtocolViolationKind::WrongValue);

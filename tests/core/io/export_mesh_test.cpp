@@ -97,11 +97,6 @@ TEST(ExportPly, ColoursCellsByTheirWorstUsedLink) {
   EXPECT_THAT(of_cells, ElementsAre(0x17A1CA, 0x17A1CA, 0x3A1FB0, 0x8A939E));
 }
 
-TEST(ExportPly, SaysItsUnitAndFrame) {
-  EXPECT_THAT(exportBytes(makeTestReconstruction(), ExportFormat::Ply, {}),
-              HasSubstr("\ncomment metres, in the frame of cell 7, the origin of the patch\n"));
-}
-
 TEST(ExportObj, NamesEveryCellAtItsPlace) {
   const std::string text = exportBytes(makeTestReconstruction(), ExportFormat::Obj, {});
   EXPECT_THAT(text, HasSubstr("# metres, in the frame of cell 7"));

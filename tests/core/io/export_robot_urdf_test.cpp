@@ -1,9 +1,8 @@
 // The robot's URDF with the skin on it, as urdfdom and check_urdf read it.
 
 #include "tests/core/io/placed_skin.h"
+#include "tests/core/io/urdf_places.h"
 #include "tests/support/other_programs.h"
-
-#include <urdf_parser/urdf_parser.h>
 
 namespace hexoderm {
 namespace {
@@ -31,13 +30,13 @@ constexpr const char* kRobot = R"(<?xml version="1.0"?>
 class ExportRobotUrdf : public PlacedSkin {
  protected:
   void SetUp() override {
-    write(in("robot.urdf"), kRobot);
+    temporary_.put("robot.urdf", kRobot);
     options_.robot_urdf = in("robot.urdf");
     options_.placements.push_back({CellId(20), "upper_arm", T_upper_20_, {}});
   }
   std::string exported() {
     exportReconstruction(reconstruction_, ExportFormat::RobotUrdf, in("with_skin.urdf"), options_);
-    return read(in("with_skin.urdf"));
+    return readFile(in("with_skin.urdf"));
   }
   std::string refused() {
     return messageOf<Error>(
@@ -51,7 +50,7 @@ TEST_F(ExportRobotUrdf, AddsToTheGivenTextAndChangesNoByteOfIt) {
   const std::string robot = kRobot;
   for (const std::string& text :
        {robot, replaced(robot, "\n</robot>", "</robot>"), replaced(robot, "\n</robot>", "\r\n  </robot >")}) {
-    write(in("robot.urdf"), text);
+    temporary_.put("robot.urdf", text);
     const std::string found = exported();
     const std::size_t begin = static_cast<std::size_t>(std::ranges::mismatch(text, found).in1 - text.begin());
     const std::string rest = text.substr(begin);
@@ -65,21 +64,8 @@ TEST_F(ExportRobotUrdf, AddsToTheGivenTextAndChangesNoByteOfIt) {
 TEST_F(ExportRobotUrdf, IsReadByUrdfdom) {
   const auto model = urdf::parseURDF(exported());
   ASSERT_TRUE(model);
-  const auto placeIn = [&](const std::string& link, const std::string& root) {
-    SE3 T;
-    auto at = model->getLink(link);
-    while (at && at->name != root) {
-      EXPECT_EQ(at->parent_joint->type, urdf::Joint::FIXED) << at->name;
-      const urdf::Pose& pose = at->parent_joint->parent_to_joint_origin_transform;
-      const Eigen::Quaterniond q(pose.rotation.w, pose.rotation.x, pose.rotation.y, pose.rotation.z);
-      T = SE3{q.toRotationMatrix(), {pose.position.x, pose.position.y, pose.position.z}} * T;
-      at = at->getParent();
-    }
-    EXPECT_TRUE(at) << link << " does not hang on " << root;
-    return T;
-  };
-  expectOnLink([&](const std::string& link) { return placeIn(link, "forearm"); });
-  EXPECT_THAT(placeIn("skin_cell20", "upper_arm"), SE3Near(T_upper_20_, 1e-9, 1e-9));
+  expectOnLink([&](const std::string& link) { return test::placeIn(*model, link, "forearm"); });
+  EXPECT_THAT(test::placeIn(*model, "skin_cell20", "upper_arm"), SE3Near(T_upper_20_, 1e-9, 1e-9));
   EXPECT_EQ(model->links_.size(), 3U + 2U + 4U + 4U) << "the robot, patches, cells and sensors";
   EXPECT_EQ(model->getLink("skin_cell12")->visual_array.size(), 3U);
   EXPECT_EQ(model->getLink("skin_cell12")->visual->material->name, "hexoderm_over");
@@ -98,7 +84,7 @@ TEST_F(ExportRobotUrdf, IsFoundGoodByCheckUrdf) {
 
 TEST_F(ExportRobotUrdf, ASecondSkinWithAnotherPrefixUsesTheMaterialsOfTheFirst) {
   options_.placements.pop_back();
-  write(in("robot.urdf"), exported());
+  temporary_.put("robot.urdf", exported());
   EXPECT_THAT(refused(), AllOf(HasSubstr("robot.urdf: already has a link skin_patch0"), HasSubstr("prefix")));
   options_.prefix = "back_";
   const auto model = urdf::parseURDF(exported());
@@ -123,9 +109,9 @@ TEST_F(ExportRobotUrdf, RefusesWhatItCannotBePutOnAndKeepsTheEarlierFile) {
       {replaced(kRobot, "<link name=\"forearm\"/>", "<xacro:include filename=\"forearm.xacro\"/>"), "xacro"},
   };
   for (const auto& [robot, why] : robots) {
-    write(in("robot.urdf"), robot);
+    temporary_.put("robot.urdf", robot);
     EXPECT_THAT(refused(), AllOf(HasSubstr("robot.urdf: "), HasSubstr(why)));
-    EXPECT_EQ(read(in("with_skin.urdf")), earlier);
+    EXPECT_EQ(readFile(in("with_skin.urdf")), earlier);
   }
   options_.robot_urdf = in("missing.urdf");
   EXPECT_THAT(refused(), HasSubstr("missing.urdf"));

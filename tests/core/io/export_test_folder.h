@@ -1,9 +1,8 @@
 #pragma once
 
+#include "hexoderm/base/file.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/testing.h"
-
-#include <fstream>
 
 namespace hexoderm {
 
@@ -19,15 +18,6 @@ class ExportTest : public ::testing::Test {
     }
     std::ranges::sort(found);
     return found;
-  }
-
-  static std::string read(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    EXPECT_TRUE(file) << path;
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  static void write(const std::filesystem::path& path, const std::string& content) {
-    std::ofstream(path, std::ios::binary) << content;
   }
 
   const test::TemporaryFolder temporary_;

@@ -70,7 +70,7 @@ TEST_F(ExportTransforms, OfRos1AreArgumentsOfStaticTransformPublisher) {
 TEST_F(ExportTransforms, OfRos2AreWhatItsLaunchFileGivesToTheNodes) {
   exportReconstruction(reconstruction_, ExportFormat::TfRos2, in("skin.launch.py"), options_);
   // Python runs the file, with classes in place of those of ROS 2 that keep what they are given.
-  write(in("run.py"), R"(
+  temporary_.put("run.py", R"(
 import importlib.util, json, sys, types
 class Node:
     def __init__(self, **words): self.words = words
@@ -132,7 +132,7 @@ TEST_F(ExportTransforms, InYamlAreNumbersForAYamlLibrary) {
 TEST_F(ExportTransforms, OfPatchesAloneWhereCellsWouldBeTooMany) {
   options_.link_per_cell = false;
   exportReconstruction(reconstruction_, ExportFormat::TfRos1, in("skin.launch"), options_);
-  const std::string text = read(in("skin.launch"));
+  const std::string text = readFile(in("skin.launch"));
   EXPECT_THAT(text, AllOf(HasSubstr("forearm skin_patch0"), HasSubstr("hand skin_patch1")));
   EXPECT_EQ(text.find("cell7"), std::string::npos);
 }

@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"
+#include "tests/core/io/urdf_places.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"
 #include "tests/support/testing.h"
@@ -22,33 +23,12 @@ UrdfContent contentOf(const Reconstruction& reconstruction, const ExportOptions&
           options.urdf_form};
 }
 
-/// An <origin> by Eigen's own rotations.
-SE3 originOf(pugi::xml_node node) {
-  Eigen::Vector3d xyz, rpy;
-  std::istringstream(node.child("origin").attribute("xyz").value()) >> xyz.x() >> xyz.y() >> xyz.z();
-  std::istringstream(node.child("origin").attribute("rpy").value()) >> rpy.x() >> rpy.y() >> rpy.z();
-  return {rotationFromRpy(rpy), xyz};
-}
-
-/// Placement of every link in the root, by following the joints.
-std::map<std::string, SE3> chained(const pugi::xml_document& document) {
+/// Placement of every link in the root, as urdfdom reads them.
+std::map<std::string, SE3> chained(const std::string& text) {
   std::map<std::string, SE3> T_root;
-  const pugi::xml_node robot = document.child("robot");
-  for (const pugi::xml_node link : robot.children("link")) {
-    SE3 T;
-    std::string at = link.attribute("name").value();
-    for (int steps = 0; steps < 10; ++steps) {
-      for (const pugi::xml_node joint : robot.children("joint")) {
-        if (joint.child("child").attribute("link").value() != at) continue;
-        EXPECT_STREQ(joint.attribute("type").value(), "fixed");
-        T = originOf(joint) * T;
-        at = joint.child("parent").attribute("link").value();
-        break;
-      }
-    }
-    EXPECT_EQ(at, "base_link");
-    T_root[link.attribute("name").value()] = T;
-  }
+  const auto model = urdf::parseURDF(text);
+  EXPECT_EQ(model->getRoot()->name, "base_link");
+  for (const auto& [name, link] : model->links_) T_root[name] = test::placeIn(*model, name, "base_link");
   return T_root;
 }
 
@@ -57,16 +37,19 @@ void expectNear(const SE3& found, const SE3& expected, const std::string& what) 
   EXPECT_LT((found.t - expected.t).norm(), 1e-12) << what;
 }
 
+std::string urdfOf(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
+  return exportBytes(reconstruction, ExportFormat::Urdf, options);
+}
 pugi::xml_document exported(const Reconstruction& reconstruction, const ExportOptions& options = {}) {
   pugi::xml_document document;
-  const std::string text = exportBytes(reconstruction, ExportFormat::Urdf, options);
+  const std::string text = urdfOf(reconstruction, options);
   EXPECT_TRUE(document.load_buffer(text.data(), text.size()));
   return document;
 }
 
 TEST(ExportUrdf, ChainsToEveryCellAndSensor) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  const auto T_root = chained(exported(reconstruction));
+  const auto T_root = chained(urdfOf(reconstruction));
   EXPECT_THAT(collect(T_root, &std::pair<const std::string, SE3>::first),
               UnorderedElementsAre("base_link", "skin_patch0", "skin_cell3", "skin_cell7", "skin_cell12",
                                    "skin_cell3_accelerometer", "skin_cell7_force_1_gr_e", "skin_cell7_force_1_gr_e_2",
@@ -79,16 +62,14 @@ TEST(ExportUrdf, ChainsToEveryCellAndSensor) {
   expectNear(T_root.at("skin_cell12_sensor"), cells[2].sensors[0].T_o_s, "sensor of cell 12");
 }
 
-/// Where a corner of a box is, in the frame of the link of its <visual>.
-std::vector<Eigen::Vector3d> boxCorners(pugi::xml_node visual) {
-  Eigen::Vector3d size;
-  std::istringstream(visual.child("geometry").child("box").attribute("size").value()) >> size.x() >> size.y() >>
-      size.z();
+/// The corners of a box, in the frame of its link.
+std::vector<Eigen::Vector3d> boxCorners(const urdf::Visual& visual) {
+  const urdf::Vector3& size = dynamic_cast<const urdf::Box&>(*visual.geometry).dim;
   std::vector<Eigen::Vector3d> corners;
   for (const double x : {-0.5, 0.5}) {
     for (const double y : {-0.5, 0.5}) {
       for (const double z : {-0.5, 0.5}) {
-        corners.emplace_back(originOf(visual) * Eigen::Vector3d(x * size.x(), y * size.y(), z * size.z()));
+        corners.emplace_back(test::fromUrdf(visual.origin) * Eigen::Vector3d(x * size.x, y * size.y, z * size.z));
       }
     }
   }
@@ -107,15 +88,15 @@ TEST(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
   const std::map<std::string, SE3> T_link_12 = {{"skin_cell12", {}},
                                                 {"skin_patch0", reconstruction.patches[0].cells[2].T_o_u}};
   for (const auto& [name, T_link_u] : T_link_12) {
-    const auto document = exported(reconstruction, test::with(&ExportOptions::link_per_cell, name == "skin_cell12"));
+    const auto robot =
+        urdf::parseURDF(urdfOf(reconstruction, test::with(&ExportOptions::link_per_cell, name == "skin_cell12")));
     std::vector<int> boxes_at(prism.size());
     int boxes = 0;
-    const pugi::xml_node link = document.child("robot").find_child_by_attribute("link", "name", name.c_str());
-    for (const pugi::xml_node visual : link.children("visual")) {
-      if (!std::string(visual.attribute("name").value()).starts_with("skin_cell12_")) continue;
+    for (const auto& visual : robot->getLink(name)->visual_array) {
+      if (!visual->name.starts_with("skin_cell12_")) continue;
       ++boxes;
-      EXPECT_STREQ(visual.child("material").attribute("name").value(), "hexoderm_over");
-      for (const Eigen::Vector3d& in_link : boxCorners(visual)) {
+      EXPECT_EQ(visual->material_name, "hexoderm_over");
+      for (const Eigen::Vector3d& in_link : boxCorners(*visual)) {
         const Eigen::Vector3d corner = T_link_u.inverse() * in_link;
         const auto near = std::ranges::min_element(
             prism, {}, [&](const Eigen::Vector3d& of_prism) { return (of_prism - corner).norm(); });
@@ -130,12 +111,17 @@ TEST(ExportUrdf, DrawsCellsAsHexagonsBelowTheirFrontFace) {
 
 TEST(ExportUrdf, OneLinkAPatchHoldsCellsAsVisualsAndSensorsAsElements) {
   const Reconstruction reconstruction = makeTestReconstruction();
-  const auto document = exported(reconstruction, test::with(&ExportOptions::link_per_cell, false));
-  EXPECT_EQ(chained(document).size(), 2U);
+  const ExportOptions options = test::with(&ExportOptions::link_per_cell, false);
+  EXPECT_EQ(chained(urdfOf(reconstruction, options)).size(), 2U);
+  const auto document = exported(reconstruction, options);
   const pugi::xml_node robot = document.child("robot");
   const pugi::xml_node sensor = robot.find_child_by_attribute("sensor", "name", "skin_cell3_accelerometer");
   EXPECT_STREQ(sensor.child("parent").attribute("link").value(), "skin_patch0");
-  expectNear(originOf(sensor), reconstruction.patches[0].cells[0].sensors[0].T_o_s, "sensor of cell 3");
+  Eigen::Vector3d xyz, rpy;
+  std::istringstream(sensor.child("origin").attribute("xyz").value()) >> xyz.x() >> xyz.y() >> xyz.z();
+  std::istringstream(sensor.child("origin").attribute("rpy").value()) >> rpy.x() >> rpy.y() >> rpy.z();
+  const SE3& T_o_s = reconstruction.patches[0].cells[0].sensors[0].T_o_s;
+  expectNear({rotationFromRpy(rpy), xyz}, T_o_s, "sensor of cell 3");
 }
 
 TEST(ExportUrdf, UsesTheNamesOfTheOptions) {
@@ -164,9 +150,7 @@ TEST(ExportUrdf, EveryOrientationComesBack) {
       for (const double yaw_deg : {-180.0, -91.0, 0.0, 77.0}) {
         reconstruction.patches[0].cells[0].T_o_u.R =
             rotationFromRpy(kDegree * Eigen::Vector3d(roll_deg, pitch_deg, yaw_deg));
-        pugi::xml_document document;
-        ASSERT_TRUE(document.load_string(urdfBytes(contentOf(reconstruction)).c_str()));
-        const auto T_root = chained(document);
+        const auto T_root = chained(urdfBytes(contentOf(reconstruction)));
         const CellPlacement& cell = reconstruction.patches[0].cells[0];
         for (const auto& [name, T] :
              {std::pair("skin_cell3", cell.T_o_u), std::pair("skin_cell3_accelerometer", cell.sensors[0].T_o_s)}) {
@@ -187,25 +171,7 @@ TEST(ExportUrdf, TakesRotationsOfFewDecimals) {
 }
 
 TEST(ExportUrdf, EmptyReconstructionGivesTheParentLinkAlone) {
-  EXPECT_EQ(chained(exported(test::ResultBuilder().build())).size(), 1U);
-}
-
-TEST(ExportUrdf, PutsPlacedPatchesOnTheirLinks) {
-  const Reconstruction reconstruction = makeTestReconstruction();
-  ExportOptions options;
-  options.parent_link = "torso";
-  const SE3 T_l_o{rotationFromRpy({0.1, -0.2, 2.0}), {0.3, -0.05, 0.01}};
-  options.placements = {{CellId(20), "base_link", T_l_o, {}}};
-  const auto T_root = chained(exported(reconstruction, options));
-  EXPECT_TRUE(T_root.contains("skin_cell20"));
-  EXPECT_FALSE(T_root.contains("skin_cell7")) << "its patch is not placed";
-  expectNear(T_root.at("skin_patch1"), T_l_o, "patch");
-  expectNear(T_root.at("skin_cell20"), T_l_o * reconstruction.patches[1].cells[0].T_o_u, "cell 20");
-
-  options.placements.push_back({CellId(7), "elbow", {}, {}});
-  options.in_link = "elbow";
-  const auto on_elbow = exported(reconstruction, options);
-  EXPECT_STREQ(on_elbow.child("robot").child("link").attribute("name").value(), "elbow");
+  EXPECT_EQ(chained(urdfOf(test::ResultBuilder().build())).size(), 1U);
 }
 
 TEST(ExportUrdf, APartLeavesTheParentLinksToTheRobot) {
@@ -242,14 +208,13 @@ TEST(ExportUrdf, AMacroIsTheSkinWithItsOriginAsParameters) {
   EXPECT_STREQ(macro.attribute("name").value(), "skin_patch0");
   EXPECT_STREQ(macro.attribute("params").value(), "parent:=elbow xyz:='0.1 0.2 0.3' rpy:='0 0 0'");
   std::ostringstream body;
+  for (const pugi::xml_node node : document.child("robot").children("material")) node.print(body);
   for (const pugi::xml_node node : macro.children()) node.print(body);
   const std::string robot =
       "<robot name=\"r\"><link name=\"base_link\"/>" +
       expanded(body.str(), {{"parent", "base_link"}, {"xyz", "1 2 3"}, {"rpy", "0 0 1.5707963267948966"}}) + "</robot>";
-  pugi::xml_document called;
-  ASSERT_TRUE(called.load_string(robot.c_str()));
   const SE3 T_l_o{rotationFromRpy({0, 0, 1.5707963267948966}), {1, 2, 3}};
-  expectNear(chained(called).at("skin_cell3"), T_l_o * reconstruction.patches[0].cells[0].T_o_u, "cell 3");
+  expectNear(chained(robot).at("skin_cell3"), T_l_o * reconstruction.patches[0].cells[0].T_o_u, "cell 3");
   options.prefix = "left/";
   EXPECT_THAT(messageOf<InvalidArgument>([&] { exported(reconstruction, options); }), HasSubstr("left/patch0"));
 }

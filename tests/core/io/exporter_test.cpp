@@ -39,11 +39,11 @@ class EveryExport : public ExportTest, public ::testing::WithParamInterface<Expo
 TEST_P(EveryExport, WritesTheSameFilesAgainAndNoOthers) {
   const auto paths = exported();
   std::map<std::filesystem::path, std::string> first;
-  for (const auto& path : paths) first[path] = read(path);
+  for (const auto& path : paths) first[path] = readFile(path);
   EXPECT_EQ(exported(), paths);
   std::map<std::filesystem::path, std::string> written;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
-    if (entry.is_regular_file()) written[entry.path()] = read(entry.path());
+    if (entry.is_regular_file()) written[entry.path()] = readFile(entry.path());
   }
   EXPECT_EQ(written, first);
   if (GetParam() == ExportFormat::Csv) {
@@ -57,11 +57,11 @@ TEST_P(EveryExport, WritesTheSameFilesAgainAndNoOthers) {
 TEST_P(EveryExport, RefusesNumbersThatAreNotFiniteAndKeepsTheEarlierFile) {
   Reconstruction reconstruction = makeTestReconstruction();
   const auto paths = exported(reconstruction);
-  const std::string earlier = read(paths.front());
+  const std::string earlier = readFile(paths.front());
   reconstruction.patches[0].cells[1].T_o_u.t.y() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(messageOf<InvalidArgument>([&] { exported(reconstruction); }),
               HasSubstr("cell 7: its placement is not a finite number"));
-  EXPECT_EQ(read(paths.front()), earlier);
+  EXPECT_EQ(readFile(paths.front()), earlier);
 }
 
 TEST_P(EveryExport, TakesWhatEverySolverFinds) {
@@ -71,7 +71,7 @@ TEST_P(EveryExport, TakesWhatEverySolverFinds) {
     const auto result = reconstruct(*session.snapshot(), test::by(solver));
     const auto paths = exported(*result);
     ASSERT_FALSE(paths.empty());
-    for (const auto& path : paths) EXPECT_FALSE(read(path).empty()) << path;
+    for (const auto& path : paths) EXPECT_FALSE(readFile(path).empty()) << path;
     // A calibration that was written to a file and read again is exported just the same.
     const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
     EXPECT_NO_THROW(exported(*back));
@@ -89,11 +89,10 @@ Reconstruction withPatch(std::size_t index) {
 class EveryExportOfPatches : public EveryExport {
  protected:
   /// The contents of the files that an export writes, but for the manifest, which names the patches left out.
-  std::vector<std::string> contents(const Reconstruction& reconstruction) { return contents(reconstruction, needed()); }
-  std::vector<std::string> contents(const Reconstruction& reconstruction, const ExportOptions& options) {
+  std::vector<std::string> contents(const Reconstruction& reconstruction, std::optional<ExportOptions> options = {}) {
     std::vector<std::string> found;
-    for (const auto& path : exportReconstruction(reconstruction, GetParam(), target(), options)) {
-      if (path.filename() != "manifest.json") found.push_back(read(path));
+    for (const auto& path : exportReconstruction(reconstruction, GetParam(), target(), options.value_or(needed()))) {
+      if (path.filename() != "manifest.json") found.push_back(readFile(path));
     }
     return found;
   }
@@ -152,7 +151,7 @@ TEST_P(EveryExportOfPatches, IsNotHeldUpByAPatchThatIsLeftOut) {
 }
 
 TEST_P(EveryExport, NamesATargetThatCannotBeWritten) {
-  write(in("file"), "mine");
+  temporary_.put("file", "mine");
   for (const char* parent : {"missing", "file"}) {
     const std::filesystem::path path = in(parent) / target().filename();
     EXPECT_THAT(

@@ -92,18 +92,5 @@ TEST(OpenFile, SaysWhatItReadsWhenAFileIsNoneOfIt) {
   EXPECT_THAT(complaint("SKINREC1 and no more"), saysAll("f.dat", "recording", "replay:"));
 }
 
-TEST(OpenFile, NamesWhatIsWrongInsideAFile) {
-  EXPECT_THAT(complaint("{\"a\": [1, 2"), saysAll("f.dat", "at a[2]", "ends in the middle"));
-  EXPECT_THAT(complaint("{\"format\": \"hexoderm-session\", \"version\": 1, \"cells\": [NaN]}"),
-              saysAll("f.dat: cells[0]", "finite", "NaN"));
-}
-
-TEST(OpenFile, NamesAFileThatIsNotThere) {
-  const TemporaryFolder folder;
-  EXPECT_THAT(messageOf<StorageError>([&] { open(folder.path() / "none.hexo"); }),
-              saysAll("none.hexo", "No such file"));
-  EXPECT_THAT(messageOf<StorageError>([&] { open(folder.path()); }), saysAll("is a folder"));
-}
-
 }  // namespace
 }  // namespace hexoderm

@@ -13,18 +13,6 @@ SimulatedRobot demoRobot() {
           test::with(&SimulatedRobotOptions::mounts, demoMounts())};
 }
 
-TEST(SessionJointAngles, ASimulatedRobotsSessionHasWhatItReports) {
-  SimulatedRobot robot = demoRobot();
-  const SimulatedRobotSession simulated = simulateRobotSession(robot, 3, 10);
-  ASSERT_EQ(simulated.session.poses().size(), 3U);
-  ASSERT_EQ(simulated.poses.size(), 3U);
-  for (std::size_t k = 0; k < 3; ++k) {
-    EXPECT_EQ(simulated.session.poses()[k].joint_angles, simulated.poses[k].reported);
-    EXPECT_EQ(simulated.session.poses()[k].capture->samples.size(), 34U);
-  }
-  EXPECT_EQ(simulated.session.truth()->cells.size(), 34U);
-}
-
 TEST(SessionJointAngles, GoThroughACsvFileToAnotherSession) {
   SimulatedRobot robot = demoRobot();
   const Session with = simulateRobotSession(robot, 3, 10).session;

@@ -3,9 +3,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
-using test::refusalOf;
-
 /// A square of side 1 with these primitives, below these nodes of the scene and library.
 std::string dae(const std::string& primitives,
                 const std::string& nodes = R"(<node><instance_geometry url="#g"/></node>)",

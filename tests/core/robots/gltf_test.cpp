@@ -6,9 +6,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
-using test::littleEndian;
-using test::refusalOf;
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 
@@ -63,18 +60,6 @@ void expectSquare(const TriangleMesh& mesh, const std::string& what) {
   EXPECT_EQ(mesh.triangles.size(), 2U) << what;
   EXPECT_EQ(mesh.points.size(), 4U) << what;
   EXPECT_DOUBLE_EQ(areaOf(mesh), 1) << what;
-}
-
-TEST(Gltf, ReadsBuffersOfABinaryFileOfDataAndOfAFileBesideIt) {
-  expectSquare(readMesh(glb(square()), "m"), "binary");
-  Json json = square();
-  json["buffers"][0]["uri"] = std::string("data:application/octet-stream;base64,") + kSquareInBase64;
-  expectSquare(readMesh(json.dump(), "m"), "data");
-  const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path() / "in it");
-  folder.put("in it/m.bin", squareBytes());
-  json["buffers"][0]["uri"] = "in%20it/m.bin";
-  expectSquare(readMeshFile(folder.put("m.gltf", " \n" + json.dump())), "a file");
 }
 
 TEST(Gltf, ReadsAllKindsOfTriangles) {

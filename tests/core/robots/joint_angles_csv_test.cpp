@@ -81,12 +81,6 @@ TEST(JointAnglesCsv, KnowsTimes) {
   EXPECT_FALSE(table.of(PoseId(1), std::nullopt));
 }
 
-TEST(JointAnglesCsv, FindsPosesByNumber) {
-  const JointAnglesTable table = parse("pose,elbow[rad],wrist[rad],tilt_deg[rad],lift[m]\n4,1,0,0,0\n2,2,0,0,0\n");
-  EXPECT_EQ(table.of(PoseId(2), std::nullopt)->positions.at("elbow"), 2);
-  EXPECT_FALSE(table.of(PoseId(1), std::nullopt));
-}
-
 TEST(JointAnglesCsv, JointsWithoutAColumnAreNamedUnlessTheyMayStandAtZero) {
   const std::string text = "pose,elbow[deg],wrist[deg]\n1,0,0\n";
   EXPECT_THAT(csvError(text), saysAll("a.csv", "line 1", "tilt_deg", "lift"));

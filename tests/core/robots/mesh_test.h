@@ -6,7 +6,7 @@
 
 #include <bit>
 
-namespace hexoderm::test {
+namespace hexoderm {
 
 /// Why the bytes are refused as a mesh file of this name.
 inline std::string refusalOf(const std::string& name, const std::string& bytes) {
@@ -33,4 +33,4 @@ std::string bigEndian(Number value) {
   return {bytes.rbegin(), bytes.rend()};
 }
 
-}  // namespace hexoderm::test
+}  // namespace hexoderm

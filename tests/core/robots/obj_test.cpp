@@ -3,9 +3,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
-using test::refusalOf;
-
 constexpr auto kSquare = "# a square\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n";
 
 TEST(Obj, ReadsPolygonsWithAllKindsOfCorners) {

@@ -3,11 +3,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
-using test::bigEndian;
-using test::littleEndian;
-using test::refusalOf;
-
 /// A header with properties of many types in front of what is read, and behind.
 std::string plyHeader(const std::string& format) {
   return "ply\nformat " + format +

@@ -84,14 +84,6 @@ TEST(RobotModel, LinksAreWhereProductsByHandPutThem) {
   }
 }
 
-TEST(RobotModel, HangsDownAndBendsTheElbowForwards) {
-  const RobotModel& arm = readDemoArm();
-  const std::size_t forearm = arm.linkNamed("forearm");
-  EXPECT_TRUE(arm.forward({})[forearm].R.col(2).isApprox(-Eigen::Vector3d::UnitZ()));
-  const Eigen::Vector3d bent = arm.forward({{{"elbow", kPi / 2}}})[forearm].R.col(2);
-  EXPECT_LT((bent.cwiseAbs() - Eigen::Vector3d::UnitX()).norm(), 1e-12) << bent.transpose();
-}
-
 TEST(RobotModel, AMimickingJointFollowsUnlessItIsGivenItself) {
   const RobotModel& arm = readDemoArm();
   const std::size_t finger = arm.linkNamed("right_finger");

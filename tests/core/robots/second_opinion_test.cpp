@@ -16,7 +16,6 @@
 namespace hexoderm {
 namespace {
 
-using test::areaOf;
 using test::TemporaryFolder;
 
 void appendNode(const aiScene& scene, const aiNode& node, const aiMatrix4x4& T_file_parent, TriangleMesh& result) {
@@ -98,12 +97,11 @@ TEST(MeshByAssimp, WhatIsExportedIsTheSame) {
 TEST(MeshByAssimp, WhatAssimpWritesIsTheSame) {
   const TemporaryFolder folder;
   const std::filesystem::path forearm = std::filesystem::path(HEXODERM_DEMO_ROBOT).parent_path() / "meshes/forearm.obj";
-  for (const char* format :
-       {"stl stl", "stlb stl", "obj obj", "ply ply", "plyb ply", "collada dae", "gltf2 gltf", "glb2 glb"}) {
-    const std::string_view words = format;
-    const std::size_t blank = words.find(' ');
-    const std::string id(words.substr(0, blank));
-    const std::filesystem::path file = folder.path() / (id + "." + std::string(words.substr(blank + 1)));
+  const std::pair<std::string, std::string> formats[] = {{"stl", "stl"},    {"stlb", "stl"}, {"obj", "obj"},
+                                                         {"ply", "ply"},    {"plyb", "ply"}, {"collada", "dae"},
+                                                         {"gltf2", "gltf"}, {"glb2", "glb"}};
+  for (const auto& [id, extension] : formats) {
+    const std::filesystem::path file = folder.path() / (id + "." + extension);
     Assimp::Importer importer;
     Assimp::Exporter exporter;
     const aiScene* scene = importer.ReadFile(forearm.string(), 0);

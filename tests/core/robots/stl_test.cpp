@@ -3,9 +3,6 @@
 namespace hexoderm {
 namespace {
 
-using test::littleEndian;
-using test::refusalOf;
-
 std::string binaryStl(std::string header, const std::vector<float>& coordinates) {
   header.resize(80);
   std::string bytes = header + littleEndian(static_cast<std::uint32_t>(coordinates.size() / 9));

@@ -31,15 +31,6 @@ TEST_F(SessionStoreTest, KeepsAWholeSessionBitForBit) {
   EXPECT_EQ(folder_.entryCount(), 2U) << "nothing lies beside them";
 }
 
-TEST_F(SessionStoreTest, NeverReplacesAFile) {
-  writeSessionStore(sessionWithEverything(), path_);
-  const std::string before = readFile(path_);
-  EXPECT_THAT(messageOf<StorageError>([&] { SessionStore::create(path_, emptySession()); }),
-              saysAll("arm.hexo", "exists already", "another name"));
-  EXPECT_EQ(readFile(path_), before);
-  EXPECT_EQ(folder_.entryCount(), 1U);
-}
-
 TEST_F(SessionStoreTest, IsMadeWholeOrNotAtAll) {
   const Session bad = test::sessionWithABadReading();
   EXPECT_THAT(messageOf<InvalidArgument>([&] { writeSessionStore(bad, path_); }),
@@ -203,23 +194,6 @@ TEST_F(SessionStoreTest, RefusesWhatMakesNoSenseAndStaysAsItWas) {
   EXPECT_EQ(readSessionStore(path_).poses().size(), 4U);
 }
 
-TEST_F(SessionStoreTest, OneThatWasRemovedWhileItWasOpenIsWrittenAnew) {
-  {
-    SessionStore store = SessionStore::create(path_, sessionWithEverything());
-    EXPECT_TRUE(store.renewIfGone().empty());
-    appendTo(store, capture(11, 0.5));
-    ASSERT_TRUE(fs::remove(path_));
-    EXPECT_EQ(store.renewIfGone().english(),
-              path_.string() + ": was removed while it was open; the whole session was written anew");
-    EXPECT_TRUE(store.renewIfGone().empty());
-    expectSameSession(readSessionStore(path_), store.readSession());
-    EXPECT_EQ(poseIds(readSessionStore(path_)).back(), 11U);
-    appendTo(store, capture(12, 0.5));
-  }
-  EXPECT_EQ(poseIds(SessionStore::open(path_).readSession()).back(), 12U);
-  EXPECT_EQ(folder_.entryCount(), 1U) << "nothing of the first file lies beside it";
-}
-
 TEST_F(SessionStoreTest, OneThatWasMovedWhileItWasOpenIsWrittenAnewAndStaysWhereItIs) {
   const fs::path elsewhere = folder_.path() / "elsewhere.hexo";
   {
@@ -231,22 +205,6 @@ TEST_F(SessionStoreTest, OneThatWasMovedWhileItWasOpenIsWrittenAnewAndStaysWhere
   }
   EXPECT_EQ(poseIds(SessionStore::open(path_).readSession()).back(), 12U);
   EXPECT_EQ(poseIds(SessionStore::open(elsewhere).readSession()).back(), 11U);
-}
-
-TEST_F(SessionStoreTest, OneWhoseFolderIsGoneIsWrittenAnewOnceThereIsOne) {
-  const fs::path before = folder_.path() / "before";
-  const fs::path after = folder_.path() / "after";
-  fs::create_directory(before);
-  SessionStore store = SessionStore::create(before / "arm.hexo", sessionWithEverything());
-  appendTo(store, capture(11, 0.5));
-  fs::rename(before, after);
-  EXPECT_THAT(messageOf<StorageError>([&] { store.renewIfGone(); }),
-              saysAll("before/arm.hexo: was moved to ", "after/arm.hexo while it was open, with what was stored in it",
-                      "it can't be written anew", "No such file"));
-  EXPECT_EQ(poseIds(readSessionStore(after / "arm.hexo")).back(), 11U);
-  fs::create_directory(before);
-  EXPECT_FALSE(store.renewIfGone().empty());
-  EXPECT_EQ(poseIds(readSessionStore(before / "arm.hexo")).back(), 11U);
 }
 
 TEST_F(SessionStoreTest, OneWhoseNameSomethingElseHasByNowReplacesNothing) {

@@ -1,6 +1,5 @@
 #include "hexoderm/session/session.h"
 
-#include "hexoderm/sim/simulated_session.h"
 #include "tests/support/options.h"
 #include "tests/support/testing.h"
 
@@ -36,18 +35,6 @@ TEST(Session, RefusesACellModelThatMakesNoSense) {
   }
   EXPECT_EQ(session.snapshot()->model, before->model);
   EXPECT_EQ(session.revision(), before->revision);
-}
-
-TEST(Session, EveryChangeMakesANewRevisionAndOldSnapshotsStayAsTheyWere) {
-  Session session = emptySession();
-  session.addPose(pose(1));
-  const auto before = session.snapshot();
-  session.setPoseDisabled(0, true);
-  const auto after = session.snapshot();
-  EXPECT_LT(before->revision, after->revision);
-  EXPECT_FALSE(before->poses[0].disabled);
-  EXPECT_TRUE(after->poses[0].disabled);
-  EXPECT_EQ(before->poses[0].capture, after->poses[0].capture) << "captures are shared, not copied";
 }
 
 TEST(Session, APoseIsDisabledForAReasonAsLongAsItIsDisabled) {
@@ -104,17 +91,6 @@ TEST(Session, ANewSkinLeavesEverythingElse) {
   EXPECT_EQ(session.truth(), before->truth);
   EXPECT_EQ(session.source().text.english(), "an arm");
   EXPECT_EQ(session.nextPoseId(), PoseId(4)) << "the number of a pose that was removed is not used again";
-}
-
-TEST(SimulatedSession, HoldsSkinPosesAndTruth) {
-  SimulatedSkin skin(builtInCellModel("hex-bma150"), SimulatedSkinOptions());
-  const Session session = simulateSession(skin, 3);
-  EXPECT_EQ(session.poses().size(), 3);
-  EXPECT_EQ(session.poses()[0].capture->samples.size(), 17);
-  EXPECT_EQ(session.poses()[0].capture->samples[0].count, 100);
-  ASSERT_NE(session.truth(), nullptr);
-  EXPECT_EQ(session.truth()->cells.size(), 17);
-  EXPECT_THAT(session.source().text.english(), ::testing::HasSubstr("imulated")) << "simulation is called simulation";
 }
 
 }  // namespace

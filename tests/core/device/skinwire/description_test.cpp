@@ -2,21 +2,14 @@
 
 #include "hexoderm/device/skinwire/codec.h"
 #include "tests/core/device/skinwire/wire_messages.h"
+#include "tests/support/neighbor_lists.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm::skinwire {
 namespace {
 
-NeighborList chain(std::uint32_t count) {
-  NeighborList cells;
-  for (std::uint32_t id = 1; id <= count; ++id) {
-    cells.push_back({CellId(id), "arm", {{PortNumber(1), CellId(id % count + 1), PortNumber(2)}}});
-  }
-  return cells;
-}
-
 TEST(TopologyParts, FitDatagramsAndComeTogetherInAnyOrder) {
-  const NeighborList cells = chain(500);
+  const NeighborList cells = test::listOfSheet(1, 500);
   std::vector<Topology> parts = topologyParts(cells, 9, kMaxDatagram);
   ASSERT_GT(parts.size(), 5U);
   for (const Topology& part : parts) EXPECT_LE(encodeBody(part).size(), kMaxDatagram);
@@ -49,8 +42,8 @@ TEST(TopologyParts, ACellTooLargeForAPartIsNamed) {
 }
 
 TEST(TopologyAssembler, APartOfAnotherTopologyStartsAnew) {
-  const std::vector<Topology> old_parts = topologyParts(chain(200), 1, kMaxDatagram);
-  const std::vector<Topology> new_parts = topologyParts(chain(201), 2, kMaxDatagram);
+  const std::vector<Topology> old_parts = topologyParts(test::listOfSheet(1, 200), 1, kMaxDatagram);
+  const std::vector<Topology> new_parts = topologyParts(test::listOfSheet(1, 201), 2, kMaxDatagram);
   TopologyAssembler assembler;
   for (std::size_t k = 0; k + 1 < old_parts.size(); ++k) EXPECT_FALSE(assembler.add(old_parts[k]).has_value());
   std::optional<NeighborList> whole;

@@ -200,13 +200,5 @@ TEST(FrameDecoder, NamesWhatWouldWaitForEver) {
   EXPECT_EQ(on_serial->kind, ProtocolViolationKind::WrongDialect);
 }
 
-TEST(FrameDecoder, ABeginningInNeitherDialectEndsTheStream) {
-  for (const Bytes& begin : {Bytes{0, 0, 0, 28, 1, 6}, Bytes{29, 1, 6, 8, 2}}) {
-    FrameDecoder decoder(std::nullopt);
-    EXPECT_EQ(decodeAll(decoder, begin, 1).broken, 1);
-    EXPECT_FALSE(decoder.stuck().empty());
-  }
-}
-
 }  // namespace
 }  // namespace hexoderm::skinwire

@@ -29,14 +29,6 @@ SampleFrame decoded(const Samples& message) {
   return frame;
 }
 
-TEST(SampleMessages, QuantisedReadingsComeBackBitByBit) {
-  const std::vector<Samples> out = encoded(quantised(1.234567, 17));
-  ASSERT_EQ(out.size(), 1U);
-  EXPECT_FALSE(out[0].raw_lsb.empty());
-  EXPECT_EQ(out[0].time_us, 1'234'567U);
-  test::expectSameFrame(decoded(out[0]), quantised(1.234567, 17));
-}
-
 TEST(SampleMessages, ReadingsBetweenTheStepsGoAsFloats) {
   const SampleFrame frame{0, {{CellId(5), {0.25, 0.1, -1}}, {CellId(6), Eigen::Vector3d(1, 2, 3) * kLsb_g}}};
   SampleEncoder encoder(kLsb_g);
@@ -58,33 +50,6 @@ TEST(SampleMessages, MeansAndTemperaturesComeBack) {
   test::expectSameFrame(decoded(out[1]), {2, {}, {}, frame.temperatures});
 }
 
-TEST(SampleMessages, EveryMessageFitsItsLimitAndIsWellUsed) {
-  for (const std::size_t limit : {kMaxDatagram, std::size_t{200}}) {
-    SampleEncoder encoder(kLsb_g, limit);
-    std::vector<Samples> out;
-    SampleFrame frame = quantised(1, 1000);
-    for (std::uint32_t id = 2001; id <= 2300; ++id) frame.samples.push_back({CellId(id), {0.1, 0.2, 0.3}});
-    for (std::uint32_t id = 1; id <= 300; ++id) frame.means.push_back({CellId(id), {0, 0, 1}, {0, 0, 0}, 100});
-    for (std::uint32_t id = 1; id <= 300; ++id) frame.temperatures.push_back({CellId(id), 20});
-    encoder.encode(frame, out);
-    std::size_t samples = 0;
-    std::size_t temperatures = 0;
-    std::size_t bytes = 0;
-    for (const Samples& message : out) {
-      ASSERT_TRUE(complaint(message).empty());
-      const std::size_t size = encodeBody(message).size();
-      ASSERT_LE(size, limit);
-      bytes += size;
-      samples += message.cells.size();
-      temperatures += message.temperature_cells.size();
-    }
-    EXPECT_EQ(samples, 1600U);
-    EXPECT_EQ(temperatures, 300U);
-    EXPECT_EQ(encoder.sequence(), 1600U);
-    EXPECT_GT(static_cast<double>(bytes) / static_cast<double>(out.size() * limit), limit > 1000 ? 0.8 : 0.5);
-  }
-}
-
 TEST(SampleMessages, WhatDoesNotFitABatchGoesOneByOne) {
   std::vector<SampleFrame> frames = {quantised(1, 17), quantised(1.001, 17), quantised(1.0025, 17)};
   SampleEncoder encoder(kLsb_g);
@@ -100,22 +65,6 @@ TEST(SampleMessages, WhatDoesNotFitABatchGoesOneByOne) {
   SampleEncoder datagrams(kLsb_g, kMaxDatagram);
   datagrams.encodeBatch(frames, out);
   EXPECT_GT(out.size(), 4U);
-}
-
-TEST(JointsEncoder, SaysTheNamesOnceAndWhenTheyChange) {
-  JointsEncoder encoder;
-  JointReport report{1.5, {{{"elbow", 0.25}, {"wrist", -1}}}};
-  const Joints first = encoder.encode(report);
-  EXPECT_EQ(first, (Joints{1'500'000, {"elbow", "wrist"}, {0.25, -1}}));
-  report.time_s = 1.6;
-  report.angles.positions["elbow"] = 0.5;
-  EXPECT_EQ(encoder.encode(report), (Joints{1'600'000, {}, {0.5, -1}}));
-  encoder.nameAgain();
-  EXPECT_EQ(encoder.encode(report).names.size(), 2U);
-  report.angles.positions.erase("wrist");
-  EXPECT_EQ(encoder.encode(report).names, std::vector<std::string>{"elbow"});
-  report.time_s = -1e-9;
-  EXPECT_EQ(encoder.encode(report).time_us, 0U);
 }
 
 TEST(SampleMessages, NumbersThatAreNotFiniteAreLeftOutAndBadTimesRefused) {

@@ -3,6 +3,7 @@
 // The other end of a source, in the test's own thread.
 
 #include "hexoderm/device/skinwire/framing.h"
+#include "tests/support/patience.h"
 
 #include <fcntl.h>
 #include <stdlib.h>
@@ -81,22 +82,6 @@ class TcpDevice {
                                            boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0)};
 };
 
-/// A port that nobody listens at, and that nobody else gets as long as this lives.
-class AbsentTcpDevice {
- public:
-  AbsentTcpDevice() {
-    socket_.open(boost::asio::ip::tcp::v4());
-    socket_.bind(boost::asio::ip::tcp::endpoint(boost::asio::ip::address_v4::loopback(), 0));
-  }
-  [[nodiscard]] std::string address() const {
-    return "tcp://127.0.0.1:" + std::to_string(socket_.local_endpoint().port());
-  }
-
- private:
-  boost::asio::io_context io_;
-  boost::asio::ip::tcp::socket socket_{io_};
-};
-
 class UdpDevice {
  public:
   [[nodiscard]] std::string address() const {
@@ -116,52 +101,69 @@ class UdpDevice {
   boost::asio::ip::udp::endpoint host_;
 };
 
-/// The master's end of a pseudo-terminal.
-class SerialDevice {
+/// An end of a serial line.
+class SerialEnd {
  public:
-  SerialDevice() : master_(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
-    if (master_ < 0 || ::grantpt(master_) != 0 || ::unlockpt(master_) != 0) throw std::runtime_error("no terminal");
-    std::array<char, 128> name{};
-    if (::ptsname_r(master_, name.data(), name.size()) != 0) throw std::runtime_error("no terminal");
-    path_ = name.data();
-    // Until the source makes it raw, the terminal would change bytes and send them back.
+  explicit SerialEnd(int descriptor) : descriptor_(descriptor) {
+    // Until the other end makes it raw, a terminal would change bytes and send them back.
     termios settings{};
-    ::tcgetattr(master_, &settings);
+    ::tcgetattr(descriptor_, &settings);
     ::cfmakeraw(&settings);
-    ::tcsetattr(master_, TCSANOW, &settings);
+    ::tcsetattr(descriptor_, TCSANOW, &settings);
   }
-  ~SerialDevice() { unplug(); }
-  SerialDevice(const SerialDevice&) = delete;
-  SerialDevice& operator=(const SerialDevice&) = delete;
+  ~SerialEnd() { unplug(); }
+  SerialEnd(const SerialEnd&) = delete;
+  SerialEnd& operator=(const SerialEnd&) = delete;
 
-  [[nodiscard]] std::string address() const { return "serial:" + path_; }
   void unplug() {
-    if (master_ >= 0) ::close(master_);
-    master_ = -1;
+    if (descriptor_ >= 0) ::close(descriptor_);
+    descriptor_ = -1;
   }
   void send(const skinwire::Message& message) { sendBytes(skinwire::encodeFrame(skinwire::Framing::Cobs, message)); }
   void sendBytes(skinwire::ByteView bytes) {
     while (!bytes.empty()) {
-      const ssize_t count = ::write(master_, bytes.data(), bytes.size());
+      const ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
       if (count <= 0) throw std::runtime_error("the terminal takes nothing");
       bytes = bytes.subspan(static_cast<std::size_t>(count));
     }
   }
-  skinwire::Command receive() {
-    while (true) {
-      if (auto decoded = decoder_.next()) return std::get<skinwire::Command>(decoded->message);
+  /// The next message of a kind.
+  template <class Kind = skinwire::Command>
+  Kind receive() {
+    const auto until = std::chrono::steady_clock::now() + test::kPatience;
+    while (std::chrono::steady_clock::now() < until) {
+      while (auto decoded = decoder_.next()) {
+        if (const auto* message = std::get_if<Kind>(&decoded->message)) return *message;
+      }
       std::array<std::uint8_t, 4096> bytes;
-      const ssize_t count = ::read(master_, bytes.data(), bytes.size());
+      const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
       // Nobody has opened the other end yet, or the source is about to open it again.
-      if (count <= 0) continue;
-      decoder_.feed({bytes.data(), static_cast<std::size_t>(count)});
+      if (count > 0) decoder_.feed({bytes.data(), static_cast<std::size_t>(count)});
     }
+    throw std::runtime_error("nothing comes from the terminal");
   }
 
  private:
-  int master_;
-  std::string path_;
+  int descriptor_;
   skinwire::FrameDecoder decoder_{skinwire::Framing::Cobs};
+};
+
+/// The master's end of a pseudo-terminal.
+class SerialDevice : public SerialEnd {
+ public:
+  SerialDevice() : SerialDevice(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {}
+  [[nodiscard]] std::string address() const { return "serial:" + path_; }
+
+ private:
+  explicit SerialDevice(int master) : SerialEnd(master) {
+    std::array<char, 128> name{};
+    if (::grantpt(master) != 0 || ::unlockpt(master) != 0 || ::ptsname_r(master, name.data(), name.size()) != 0) {
+      throw std::runtime_error("no terminal");
+    }
+    path_ = name.data();
+  }
+
+  std::string path_;
 };
 
 }  // namespace hexoderm

@@ -67,15 +67,6 @@ TEST_F(SkinStreamTest, ACellModelWithoutSenseIsNamedAndLeavesTheSkinUndescribed)
   EXPECT_EQ(status().rejected_messages, 1U);
 }
 
-TEST_F(SkinStreamTest, CountsWhatTheNumbersSayWasLost) {
-  describe();
-  take(oneSample(1, 1000, 500));  // nobody listened before
-  take(oneSample(1, 2000, 501));
-  take(oneSample(1, 3000, 510));
-  EXPECT_EQ(status().lost_samples, 8U);
-  EXPECT_EQ(frames(), 3U);
-}
-
 TEST_F(SkinStreamTest, PartsOfOneTickMayOvertakeEachOther) {
   describe();
   take(oneSample(1, 1000, 0));
@@ -147,7 +138,7 @@ TEST_F(SkinStreamTest, StragglersAndAClockThatStandsStillAreNoClockSetBack) {
 
 TEST_F(SkinStreamTest, NumbersThatStartAnewHideNoLosses) {
   describe();
-  take(oneSample(1, 1000, 500));
+  take(oneSample(1, 1000, 500));  // nobody listened before
   take(oneSample(1, 2000, 0));
   take(oneSample(1, 3000, 1));
   EXPECT_EQ(status().lost_samples, 0U);
@@ -284,15 +275,6 @@ TEST_F(SkinStreamTest, TheSameCellsAreLookedUpAgainAfterATopologyChanged) {
   EXPECT_EQ(listener.delivered().frames.back().samples.size(), 1U);
 }
 
-TEST_F(SkinStreamTest, LsbWithoutAScaleAreRefused) {
-  take(helloOfLsb(0));
-  take(skinwire::topologyMessage());
-  EXPECT_EQ(take(skinwire::rawSamples(0, 1000)), Effect::Nothing);
-  EXPECT_THAT(stream.lastRejection().english(), HasSubstr("lsb_g"));
-  EXPECT_EQ(take(skinwire::floatSamples()), Effect::Alive);
-  EXPECT_EQ(frames(), 1U);
-}
-
 TEST_F(SkinStreamTest, SamplesAndMeansOfOneMomentAreBothDelivered) {
   describe();
   const Samples means{.time_us = 1000, .cells = {1}, .mean_g = {0, 0, 1}, .variance_g2 = {0, 0, 0}, .count = {10}};
@@ -300,15 +282,6 @@ TEST_F(SkinStreamTest, SamplesAndMeansOfOneMomentAreBothDelivered) {
   EXPECT_EQ(take(means), Effect::Alive);
   EXPECT_EQ(take(means), Effect::Nothing);
   EXPECT_EQ(frames(), 2U);
-}
-
-TEST_F(SkinStreamTest, BrokenMessagesAreCountedAndOtherMajorsStop) {
-  skinwire::Bytes body = skinwire::encodeBody(skinwire::helloMessage());
-  body.back() ^= 1U;
-  EXPECT_EQ(take(skinwire::decodeBody(body)), Effect::Nothing);
-  EXPECT_EQ(status().rejected_messages, 1U);
-  EXPECT_EQ(take(skinwire::decodeLine(R"({"major": 3})")), Effect::Incompatible);
-  EXPECT_THAT(stream.lastRejection().english(), HasSubstr("SkinWire 3, this program SkinWire 1"));
 }
 
 TEST_F(SkinStreamTest, WhatIsRightOrTheNetworksDoingIsNoViolation) {

@@ -42,16 +42,6 @@ TEST_F(StdinSourceTest, DeliversLinesUntilTheInputIsOver) {
   EXPECT_EQ(listener_.delivered().status().rejected_messages, 1U);
 }
 
-TEST_F(StdinSourceTest, TakesFramesOfBytesToo) {
-  const auto source = stdinSource(pipe_.ends[0]);
-  source->start(listener_);
-  for (const skinwire::Message& message : kDescribedTick) {
-    const skinwire::Bytes frame = skinwire::encodeFrame(skinwire::Framing::Length, message);
-    pipe_.write(std::string(frame.begin(), frame.end()));
-  }
-  EXPECT_TRUE(listener_.waitFor([](const Delivered& d) { return d.frames.size() == 2; }));
-}
-
 TEST_F(StdinSourceTest, ReadsAFileThatWasRedirected) {
   const test::TemporaryFolder folder;
   std::string lines;

@@ -6,12 +6,6 @@
 #include "tests/core/device/sources/loopback_device.h"
 #include "tests/core/device/sources/wire_host.h"
 
-#include <chrono>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-
 namespace hexoderm::wire_source_test {
 
 using skinwire::Framing;
