@@ -32,7 +32,7 @@ constexpr int kSlack_px = 1;  // styles round
 
 class Finder {
  public:
-  std::vector<CutText> found;
+  QStringList found;
 
   void look(const QWidget& widget) {
     if (!widget.isVisible() || widget.size().isEmpty()) return;
@@ -49,7 +49,7 @@ class Finder {
       need(widget, group->title(), widget.fontMetrics().horizontalAdvance(group->title()), widget.width());
     }
     if (widget.property("textIsCut").toBool()) {
-      found.push_back({placeOf(widget), widget.accessibleName(), QStringLiteral("says so itself")});
+      add(widget, widget.accessibleName(), QStringLiteral("says so itself"));
     }
     for (const QObject* child : widget.children()) {
       const auto* part = qobject_cast<const QWidget*>(child);
@@ -67,11 +67,13 @@ class Finder {
     return names.join(QLatin1Char('/'));
   }
 
+  void add(const QWidget& widget, const QString& text, const QString& how) {
+    found << QStringLiteral("\"%1\" %2 (%3)").arg(text, how, placeOf(widget));
+  }
   void need(const QWidget& widget, const QString& text, int needed_px, int there_px, const char* side = "width") {
     if (needed_px <= there_px + kSlack_px) return;
-    found.push_back(
-        {placeOf(widget), text,
-         QStringLiteral("needs %1 px, has %2 px in %3").arg(needed_px).arg(there_px).arg(QLatin1String(side))});
+    add(widget, text,
+        QStringLiteral("needs %1 px, has %2 px in %3").arg(needed_px).arg(there_px).arg(QLatin1String(side)));
   }
 
   /// A part that lies beyond its parent is not seen, unless it can be scrolled to.
@@ -85,7 +87,7 @@ class Finder {
       if (area != nullptr && area->viewport() == at) return;
       if (rect.right() > at->width() - 1 + kSlack_px || rect.bottom() > at->height() - 1 + kSlack_px ||
           rect.left() < -kSlack_px || rect.top() < -kSlack_px) {
-        found.push_back({placeOf(widget), text, QStringLiteral("hangs over the edge of ") + placeOf(*at)});
+        add(widget, text, QStringLiteral("hangs over the edge of ") + placeOf(*at));
         return;
       }
     }
@@ -150,7 +152,7 @@ class Finder {
       if (!action->isVisible()) continue;
       const QRect place = menu.actionGeometry(const_cast<QAction*>(action));
       if (place.isEmpty() || place.right() >= menu.width()) {
-        found.push_back({placeOf(menu), action->text(), QStringLiteral("has no room in the menu bar")});
+        add(menu, action->text(), QStringLiteral("has no room in the menu bar"));
       }
     }
   }
@@ -230,10 +232,10 @@ QStringList findSidewaysScrolling(const QWidget& root) {
   return found;
 }
 
-std::vector<CutText> findCutTexts(const QWidget& root) {
+QStringList findCutTexts(const QWidget& root) {
   Finder finder;
   finder.look(root);
-  return std::move(finder.found);
+  return finder.found;
 }
 
 }  // namespace hexoderm

@@ -209,9 +209,12 @@ TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
     }
     block += line.join('\t') + '\n';
   }
-  QApplication::clipboard()->setText(block);
   table->setFocus();
   table->setCurrentIndex(table->model()->index(0, 0));
+  QApplication::clipboard()->setText("x");
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("is no number"));
+  QApplication::clipboard()->setText(block);
   const int steps = controller().undoStack()->count();
   key(Qt::Key_V, Qt::ControlModifier);
   ASSERT_TRUE(waitForWork());

@@ -63,41 +63,10 @@ TEST_F(ColumnLayoutTest, HasAsManyColumnsAsThereIsRoomForAndThreeAtMost) {
   EXPECT_EQ(columnsAt(3000), 3U);
 }
 
-TEST_F(ColumnLayoutTest, GoesDownOneColumnAndThenDownTheNext) {
-  ASSERT_EQ(columnsAt(500), 2U);
-  for (std::size_t k = 1; k < parts_.size(); ++k) {
-    if (parts_[k]->x() == parts_[k - 1]->x()) {
-      EXPECT_GT(parts_[k]->y(), parts_[k - 1]->geometry().bottom());
-    } else {
-      EXPECT_GT(parts_[k]->x(), parts_[k - 1]->geometry().right());
-    }
-  }
-  EXPECT_LT(widget_.layout()->heightForWidth(500), widget_.layout()->heightForWidth(250) * 2 / 3);
-}
-
 TEST_F(ColumnLayoutTest, WhatIsHiddenTakesNoRoom) {
   const int all = widget_.layout()->heightForWidth(250);
   parts_[2]->hide();
   EXPECT_LE(widget_.layout()->heightForWidth(250), all - 100);
-}
-
-const QString kLong =
-    QStringLiteral("A sentence about a cell, its links and its poses that goes on and on. ").repeated(6);
-
-TEST(ElidedLabel, IsAsHighAndAsNarrowAsBeforeWhateverItSays) {
-  for (const int lines : {1, 2}) {
-    ElidedLabel label(lines);
-    label.resize(300, label.sizeHint().height());
-    label.setText("Short");
-    const int height = label.heightForWidth(300);
-    const QSize least = label.minimumSizeHint();
-    EXPECT_FALSE(label.isElided());
-    label.setText(kLong);
-    EXPECT_EQ(label.heightForWidth(300), height);
-    EXPECT_EQ(label.minimumSizeHint(), least);
-    EXPECT_TRUE(label.isElided());
-    EXPECT_EQ(label.text(), kLong) << "the whole is still there";
-  }
 }
 
 TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
@@ -165,17 +134,6 @@ TEST(Selection, WhatIsSoughtIsPickedFirst) {
   EXPECT_EQ(changed.count(), 1);
 }
 
-TEST(Selection, PickingSeeksNothing) {
-  Selection selection;
-  QSignalSpy sought(&selection, &Selection::sought);
-  selection.selectCell(CellId(7));
-  selection.selectLink({CellId(2), PortNumber(1)}, {CellId(1), PortNumber(3)});
-  EXPECT_EQ(sought.count(), 0);
-  selection.seekLink({CellId(5), PortNumber(1)}, {CellId(4), PortNumber(3)});
-  EXPECT_EQ(sought.count(), 1);
-  EXPECT_EQ(selection.link()->first.cell, CellId(4)) << "the smaller first";
-}
-
 class ViewMarkTest : public testing::Test {
  protected:
   ViewMarkTest() : mark_(new ViewMark(&view_)) {
@@ -192,11 +150,6 @@ class ViewMarkTest : public testing::Test {
   QWidget view_;
   ViewMark* mark_;
 };
-
-TEST_F(ViewMarkTest, IsNotThereUntilSomethingIsMarked) {
-  EXPECT_FALSE(mark_->isVisible());
-  EXPECT_EQ(at(1, 150), QColor(Qt::black));
-}
 
 TEST_F(ViewMarkTest, AFrameIsSeenOnAllSidesAndTheMiddleIsFree) {
   mark_->setContent(ViewMark::Content{Tone::Bad, "No readings", true, false});

@@ -70,16 +70,6 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASm
   EXPECT_LE(drawn.count(), 2);
 }
 
-TEST_F(PatchViewTest, AnotherPaletteOfTheSameThemeDrawsNothing) {
-  ASSERT_NO_FATAL_FAILURE(showAtRest());
-  const test::PictureCounter drawn(*canvas);
-  QPalette palette = view.palette();
-  palette.setColor(QPalette::Link, Qt::red);
-  view.setPalette(palette);
-  test::letTurnsPass();
-  EXPECT_EQ(drawn.count(), 0);
-}
-
 TEST_F(PatchViewTest, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {
   view.setReconstruction(demo());
   const QSize small = canvas->picture().size();

@@ -55,18 +55,6 @@ TEST_F(LabelChoiceTest, EveryCellOfASmallSkinThatIsLargeEnoughHasItsId) {
   EXPECT_TRUE(chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 4)).empty()) << "too small to be read";
 }
 
-TEST_F(LabelChoiceTest, LettersAreAsLargeAsThereIsRoomInEvenSizes) {
-  show(sheetReconstruction(1, 1));
-  const auto fontFor = [&](double letters_px) {
-    const auto& labels = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), letters_px), {});
-    return labels.empty() ? 0 : labels.front().font_px;
-  };
-  EXPECT_EQ(fontFor(12.5), 12);
-  EXPECT_EQ(fontFor(6), 8) << "a little too little room is enough for the smallest";
-  EXPECT_EQ(fontFor(5), 0);
-  EXPECT_EQ(fontFor(100), 26);
-}
-
 TEST_F(LabelChoiceTest, ALongIdNeedsALargerCell) {
   DemoOptions lonely;
   lonely.arm_cells = 0;

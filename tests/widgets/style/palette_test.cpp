@@ -128,15 +128,6 @@ TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {
   EXPECT_EQ(words.size(), 4u);
 }
 
-TEST_P(PaletteOfTheme, QtPaletteCarriesTheColours) {
-  const QPalette palette = qtPalette(GetParam());
-  EXPECT_EQ(palette.color(QPalette::Window), colors_.window);
-  EXPECT_EQ(palette.color(QPalette::Base), colors_.panel);
-  EXPECT_EQ(palette.color(QPalette::Text), colors_.text);
-  EXPECT_EQ(palette.color(QPalette::PlaceholderText), colors_.text_muted);
-  EXPECT_NE(palette.color(QPalette::Disabled, QPalette::Text), colors_.text);
-}
-
 TEST_P(PaletteOfTheme, StyleSheetIsFilledInAndUsesItsThemeOnly) {
   const QString sheet = styleSheet(GetParam());
   EXPECT_FALSE(sheet.contains('@')) << sheet.mid(sheet.indexOf('@'), 40).toStdString();
