@@ -104,18 +104,6 @@ TEST_F(CoverageViewTest, ShowsNextAndPresentDirectionAndHidesThemAgain) {
   EXPECT_EQ(view.grab().toImage(), before);
 }
 
-TEST_F(CoverageViewTest, ThePresentDirectionIsDrawnRoundANumberAndNotOverIt) {
-  const Eigen::Vector3d up = Eigen::Vector3d(0.3, 0.2, 0.9).normalized();
-  view.setCoverage(coverageWith({up}));
-  QRect number = view.fontMetrics().tightBoundingRect("1").adjusted(-1, -1, 1, 1);
-  number.moveCenter(view.placeOf(up).toPoint());
-  const QImage before = view.grab().toImage();
-  view.setCurrent(up);
-  const QImage after = view.grab().toImage();
-  EXPECT_NE(after, before);
-  EXPECT_EQ(after.copy(number), before.copy(number));
-}
-
 TEST_F(CoverageViewTest, WithoutASkinItSaysSoAndDrawsNoValue) {
   view.setEmptyHint("No poses yet.");
   const QImage empty = view.grab().toImage();

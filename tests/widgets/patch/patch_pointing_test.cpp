@@ -134,17 +134,17 @@ double leastContrastAcross(const QImage& picture, const QPolygonF& outline) {
     const double length = std::hypot(along.x(), along.y());
     if (length < 6) continue;
     const QPointF across(along.y() / length, -along.x() / length);
-    Rgb darkest{1, 1, 1};
-    Rgb lightest{0, 0, 0};
+    // Contrasts to black; that between two colours is their quotient.
+    double darkest = 21;
+    double lightest = 1;
     for (double step = -6; step <= 6; step += 0.5) {
       const QPoint at = (ratio * (0.5 * (a + b) + step * across)).toPoint();
       if (!picture.valid(at)) continue;
-      const QColor color = picture.pixelColor(at);
-      const Rgb rgb = {color.redF(), color.greenF(), color.blueF()};
-      if (contrast(rgb, {0, 0, 0}) < contrast(darkest, {0, 0, 0})) darkest = rgb;
-      if (contrast(rgb, {0, 0, 0}) > contrast(lightest, {0, 0, 0})) lightest = rgb;
+      const double to_black = contrast(toRgb(picture.pixelColor(at)), {0, 0, 0});
+      darkest = std::min(darkest, to_black);
+      lightest = std::max(lightest, to_black);
     }
-    least = std::min(least, contrast(darkest, lightest));
+    least = std::min(least, lightest / darkest);
   }
   return least;
 }

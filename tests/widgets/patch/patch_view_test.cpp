@@ -43,19 +43,6 @@ class PatchViewTest : public PatchViewFixture {
   PatchOverlays overlays;
 };
 
-TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
-  ASSERT_NO_FATAL_FAILURE(showAtRest());
-  const QImage small = canvas->picture();
-  view.resize(700, 500);
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->width() > 640; }));
-  const QImage rough = canvas->picture();
-  EXPECT_FALSE(canvas->isPictureSmoothed());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
-  EXPECT_EQ(canvas->picture().size(), rough.size());
-  EXPECT_NE(canvas->picture(), rough);
-  EXPECT_NE(rough.size(), small.size());
-}
-
 TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothOne) {
   ASSERT_NO_FATAL_FAILURE(showAtRest());
   const test::PictureCounter drawn(*canvas);

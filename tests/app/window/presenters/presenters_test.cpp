@@ -84,10 +84,7 @@ TEST_F(LogPresenterTest, TheLogTellsWhatHappenedAndCanBeSearched) {
   EXPECT_TRUE(logText().contains("Opened Demo skin"));
   EXPECT_TRUE(logText().contains("Asked for: Start the demo skin"));
 
-  auto* tabs = find<QTabBar>("detailTabs");
-  for (int k = 0; k < tabs->count(); ++k) {
-    if (tabs->tabText(k).contains("Log")) tabs->setCurrentIndex(k);
-  }
+  showTab("Log");
   auto* table = find<QTableView>("logTable");
   ASSERT_TRUE(table->isVisible());
   EXPECT_TRUE(
