@@ -76,6 +76,12 @@ class Finder {
         QStringLiteral("needs %1 px, has %2 px in %3").arg(needed_px).arg(there_px).arg(QLatin1String(side)));
   }
 
+  void needSize(const QWidget& widget, const QString& text, const QSize& size) {
+    need(widget, text, size.width(), widget.width());
+    need(widget, text, size.height(), widget.height(), "height");
+    lookForTheEdge(widget, text);
+  }
+
   /// A part that lies beyond its parent is not seen, unless it can be scrolled to.
   void lookForTheEdge(const QWidget& widget, const QString& text) {
     QRect rect = widget.rect();
@@ -99,31 +105,22 @@ class Finder {
       lookForTheEdge(label, label.text());
       return;
     }
-    if (label.wordWrap()) {
-      need(label, label.text(), label.heightForWidth(label.width()), label.height(), "height");
-      need(label, label.text(), label.minimumSizeHint().width(), label.width());
-    } else {
-      need(label, label.text(), label.sizeHint().width(), label.width());
-      need(label, label.text(), label.sizeHint().height(), label.height(), "height");
-    }
-    lookForTheEdge(label, label.text());
+    const bool wraps = label.wordWrap();
+    needSize(label, label.text(),
+             {(wraps ? label.minimumSizeHint() : label.sizeHint()).width(),
+              wraps ? label.heightForWidth(label.width()) : label.sizeHint().height()});
   }
 
   void lookAt(const QAbstractButton& button) {
     if (button.text().isEmpty()) return;
     if (const auto* action = qobject_cast<const ActionButton*>(&button)) {
-      // It breaks its text into lines.
-      need(button, button.text(), action->sizeHint().width(), button.width());
-      need(button, button.text(), action->sizeHint().height(), button.height(), "height");
-      lookForTheEdge(button, button.text());
-      return;
+      return needSize(button, button.text(), action->sizeHint());  // it breaks its text into lines
     }
     // The hint has room to spare at the sides; what counts is the text and the style's own margins.
     const int text_px = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
     const int icon_px = button.icon().isNull() ? 0 : button.iconSize().width();
-    need(button, button.text(), std::min(button.sizeHint().width(), text_px + icon_px + 8), button.width());
-    need(button, button.text(), button.fontMetrics().height(), button.height(), "height");
-    lookForTheEdge(button, button.text());
+    needSize(button, button.text(),
+             {std::min(button.sizeHint().width(), text_px + icon_px + 8), button.fontMetrics().height()});
   }
 
   void lookAt(const QTabBar& tabs) {
@@ -169,10 +166,6 @@ class Finder {
     }
   }
 };
-
-}  // namespace
-
-namespace {
 
 struct ShownText {
   const QWidget* widget;

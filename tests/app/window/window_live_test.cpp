@@ -138,12 +138,9 @@ TEST_F(WindowLiveTest, LossesAndSilenceOfADeviceAreSaid) {
     return labelText("liveState") == "Streaming" && labelText("lossesStatus") == "6 samples lost";
   })) << labelText("lossesStatus").toStdString();
   EXPECT_TRUE(find<QLabel>("lossesStatus")->isVisible());
-  QElapsedTimer timer;
-  timer.start();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Silent"; }));
   // A busy computer may show it late; when it is said is the source's, and that leaves a fifth of the second.
   EXPECT_LE(WireOptions().silent_after, std::chrono::milliseconds(800));
-  RecordProperty("silent_shown_after_ms", static_cast<int>(timer.elapsed()));
   device_.unplug();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Connecting"; }));
   EXPECT_NE(controller().session(), nullptr) << "the session stays";
@@ -208,18 +205,6 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   EXPECT_EQ(controller().session()->poses()[1].capture->id, PoseId(2));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
-}
-
-TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
-  const QString path = pathTo("later/arm.hexo");
-  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
-  ASSERT_TRUE(waitForMessage("arm.hexo"));
-  EXPECT_EQ(labelText("savedStatus"), "not on disk");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
-  click(find<QPushButton>("messageButton"));
-  ASSERT_TRUE(waitForMessage("Saved to " + path));
-  EXPECT_FALSE(controller().file().hasUnsavedChanges());
-  EXPECT_EQ(read(path).poses().size(), 1U);
 }
 
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {

@@ -2,7 +2,6 @@
 
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/action_button.h"
-#include "widgets/controls/column_layout.h"
 #include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/notice_stack.h"
@@ -11,9 +10,6 @@
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
-#include <memory>
-#include <set>
-#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -31,44 +27,6 @@ TEST(ActionButton, ATextThatIsWiderThanItsPlaceStandsInSeveralLines) {
   EXPECT_EQ(button.sizeHint(), whole);
 }
 
-class ColumnLayoutTest : public testing::Test {
- protected:
-  ColumnLayoutTest() {
-    auto* layout = new ColumnLayout(200, &widget_);
-    for (int k = 0; k < 6; ++k) {
-      parts_.push_back(new QWidget);
-      parts_.back()->setFixedHeight(100);
-      layout->addWidget(parts_.back());
-    }
-    layout->setContentsMargins(0, 0, 0, 0);
-    widget_.show();
-    EXPECT_TRUE(test::waitUntilExposed(widget_));
-  }
-  std::size_t columnsAt(int width) {
-    widget_.resize(width, 1000);
-    widget_.layout()->setGeometry(widget_.rect());
-    std::set<int> columns;
-    for (const QWidget* part : parts_) columns.insert(part->x());
-    return columns.size();
-  }
-
-  QWidget widget_;
-  std::vector<QWidget*> parts_;
-};
-
-TEST_F(ColumnLayoutTest, HasAsManyColumnsAsThereIsRoomForAndThreeAtMost) {
-  EXPECT_EQ(columnsAt(250), 1U);
-  EXPECT_EQ(columnsAt(500), 2U);
-  EXPECT_EQ(columnsAt(800), 3U);
-  EXPECT_EQ(columnsAt(3000), 3U);
-}
-
-TEST_F(ColumnLayoutTest, WhatIsHiddenTakesNoRoom) {
-  const int all = widget_.layout()->heightForWidth(250);
-  parts_[2]->hide();
-  EXPECT_LE(widget_.layout()->heightForWidth(250), all - 100);
-}
-
 TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
   const QString text = "Usable: so many millimetres at the worst cell";
   ElidedLabel one(1);
@@ -81,11 +39,8 @@ TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
   EXPECT_FALSE(two.isElided());
 }
 
-TEST(NoticeStack, LiesOverTheContentAndMovesNothing) {
+TEST(NoticeStack, HasOneNoticeAboveTheOtherInsideOfItsHost) {
   QWidget host;
-  auto* layout = new QVBoxLayout(&host);
-  auto* content = new QWidget;
-  layout->addWidget(content);
   auto* notices = new NoticeStack(&host);
   auto* message = new MessageBar;
   auto* other = new MessageBar;
@@ -94,26 +49,16 @@ TEST(NoticeStack, LiesOverTheContentAndMovesNothing) {
   host.resize(700, 500);
   host.show();
   ASSERT_TRUE(test::waitUntilExposed(host));
-  const QRect before = content->geometry();
   EXPECT_FALSE(notices->isVisible());
-
   message->showMessage(Tone::Bad, QStringLiteral("Something went wrong with a file whose name is long. ").repeated(8));
-  EXPECT_TRUE(message->isVisible());
-  test::letTurnsPass();
-  EXPECT_EQ(content->geometry(), before);
-  EXPECT_EQ(host.size(), QSize(700, 500));
-  EXPECT_TRUE(host.rect().contains(notices->geometry()));
-  EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "the whole text is seen";
-  EXPECT_GT(notices->geometry().top(), host.height() / 3);
-
   other->showMessage(Tone::Good, "Saved.");
-  test::letTurnsPass();
-  EXPECT_LT(other->geometry().bottom(), message->geometry().top()) << "one above the other";
-  EXPECT_TRUE(host.rect().contains(notices->geometry()));
-
-  host.resize(500, 400);
-  test::letTurnsPass();
-  EXPECT_TRUE(host.rect().contains(notices->geometry()));
+  for (const QSize& size : {QSize(700, 500), QSize(500, 400)}) {
+    host.resize(size);
+    test::letTurnsPass();
+    EXPECT_TRUE(host.rect().contains(notices->geometry()));
+    EXPECT_LT(other->geometry().bottom(), message->geometry().top());
+    EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "the whole text is seen";
+  }
   message->hide();
   other->hide();
   EXPECT_FALSE(notices->isVisible());

@@ -76,22 +76,6 @@ TEST_F(LabelChoiceTest, OnlyFacesThatLookAtTheViewerHaveIds) {
   }
 }
 
-TEST_F(LabelChoiceTest, NearCellsOfALargeSkinHaveIdsAndFarOnesHaveNone) {
-  show(sheetReconstruction(100, 100));
-  EXPECT_TRUE(chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 3)).empty());
-  // Along the sheet, so that one end of it is near.
-  SceneSight sight = looking(*content, middle(), Eigen::Vector3d(1, 0, 0.8), 1, false);
-  const double side_m = content->reconstruction->model->side_m;
-  sight.eye = content->layout.cells.back().T_s_u.t + 12 * side_m * sight.back;
-  sight.pixels_per_m = 600;
-  const auto& labels = choice.choose(sight, {});
-  ASSERT_FALSE(labels.empty());
-  EXPECT_LT(labels.size(), 5000U);
-  for (const PlacedLabel& label : labels) {
-    EXPECT_GE(0.52 * side_m * sight.scaleAt(label.depth_m), 0.6 * LabelChoice::kFonts.front());
-  }
-}
-
 TEST_F(LabelChoiceTest, WhereTwoWouldCoverEachOtherTheRounderNumberStands) {
   Reconstruction skin = sheetReconstruction(6, 5);
   for (CellPlacement& cell : skin.patches[0].cells) {  // 7 and 10 in one place, the others far away

@@ -67,13 +67,16 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
 TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
   constexpr QRect kMiddle(kWidth / 4, kHeight / 4, kWidth / 2, kHeight / 2);
   // From right in front and right behind, where the light is the same.
-  scene.setReconstruction(shared(sheetReconstruction(5, 4)));
   scene.setShown(SceneItem::Ports, false);
   scene.setParallel(true);
-  scene.showStandardView(View::Front);
-  const auto front = picture();
-  scene.renderer()->GetActiveCamera()->Azimuth(180);
-  EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6);
+  for (const auto& [columns, rows] : {std::pair(5, 4), std::pair(60, 50)}) {
+    scene.setReconstruction(shared(sheetReconstruction(columns, rows)));
+    scene.showStandardView(View::Front);
+    const auto front = picture();
+    scene.renderer()->GetActiveCamera()->Azimuth(180);
+    EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6) << columns;
+    EXPECT_TRUE(scene.pick(0.5 * kWidth, 0.5 * kHeight).has_value()) << columns;
+  }
 }
 
 TEST_F(PatchSceneFormTest, IsLookedAtFromBehindAndFromBetweenTheAxes) {

@@ -100,17 +100,6 @@ TEST_F(ReconstructionTableTest, MutedLinksAreGreyGiveTheReasonAndNoInventedMetri
   EXPECT_THAT(text(links_, row, 0, Qt::ToolTipRole), HasSubstr("Only one of two cells reports the link"));
 }
 
-TEST_F(ReconstructionTableTest, LinksAreFoundFromEitherEnd) {
-  links_.setReconstruction(sampleX17());
-  const LinkEnd a{CellId(5), PortNumber(3)};
-  const LinkEnd b{CellId(9), PortNumber(2)};
-  const int row = links_.rowOf(b, a);
-  EXPECT_EQ(row, links_.rowOf(a, b));
-  EXPECT_EQ(links_.linkAt(row).source, a);
-  EXPECT_EQ(links_.linkAt(row).target, b);
-  EXPECT_EQ(links_.rowOf(a, {CellId(9), PortNumber(1)}), -1);
-}
-
 TEST_F(ReconstructionTableTest, FindingsAreSortedWorstFirstAndKeepTheirOrderOtherwise) {
   findings_.setReconstruction(sampleTwoPatches());
   ASSERT_EQ(findings_.rowCount(), 4);

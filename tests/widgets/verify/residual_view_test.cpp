@@ -92,16 +92,6 @@ TEST_F(ResidualViewTest, ColoursCanBeReadAndAreTheSameForEverySkin) {
   EXPECT_EQ(residualColor(30), viridis(1));
 }
 
-TEST_F(ResidualViewTest, LargeSkinsNeedNoMoreWidgetsThanSmallOnes) {
-  view_.setReconstruction(sheetWithPoses(3, 3, 4));
-  const auto widgets = view_.findChildren<QWidget*>().size();
-  for (const auto& [rows, columns, poses] : {std::tuple(36U, 35U, 6U), std::tuple(10U, 10U, 1000U)}) {
-    view_.setReconstruction(sheetWithPoses(rows, columns, poses));
-    view_.matrix()->viewport()->repaint();
-    EXPECT_EQ(view_.findChildren<QWidget*>().size(), widgets) << "a widget a cell would take minutes";
-  }
-}
-
 TEST_F(ResidualViewTest, MatrixAndPlotsAreDifferentPicturesInEachTheme) {
   view_.setReconstruction(sheetWithPoses(8, 8, 9));
   selection_.selectLink({CellId(2), PortNumber(1)}, {CellId(3), PortNumber(4)});
