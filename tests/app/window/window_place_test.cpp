@@ -342,11 +342,12 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   RobotView* view = window_->robotView();
   ASSERT_TRUE(view->canDraw()) << "no OpenGL";
   // The upper arm is a box with rounded edges, along which its patch can slide.
-  for (const PlaceStand::Choice& choice : std::vector(stand().patches)) {
-    if (mounted(CellId(choice.id)).link != "upper_arm") continue;
-    ASSERT_NO_FATAL_FAILURE(choosePatch(choice.id));
+  if (mounted(CellId(stand().patch)).link != "upper_arm") {
+    QTest::keyClick(find<QComboBox>("placePatchList"), Qt::Key_Down);
+    ASSERT_TRUE(waitForWork());
   }
   const CellId origin(stand().patch);
+  ASSERT_EQ(mounted(origin).link, "upper_arm");
   ASSERT_NO_FATAL_FAILURE(typePoints(origin));
   ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
   ASSERT_TRUE(waitForWork());

@@ -7,7 +7,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr QSize kView(500, 360);
 constexpr QSize kButton(120, 24);
 
 TEST(GraphFit, CoversNoCaptionOfAPatchWithTheButton) {
@@ -23,15 +22,6 @@ TEST(GraphFit, CoversNoCaptionOfAPatchWithTheButton) {
       }
     }
   }
-}
-
-TEST(GraphFit, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
-  // The arms of the cross leave one between them.
-  const GraphScene scene(sampleX17());
-  const GraphFit alone(scene, kView, {});
-  const GraphFit beside(scene, kView, {kButton, nullptr, 0});
-  EXPECT_EQ(beside.camera.scale, alone.camera.scale);
-  EXPECT_EQ(beside.camera.center, alone.camera.center);
 }
 
 }  // namespace
