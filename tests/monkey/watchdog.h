@@ -23,8 +23,8 @@ struct Stall {
 /// thread that looks at it, so that a loop that hangs for good is seen too. Lives on the GUI thread.
 class Watchdog : public QObject {
  public:
-  /// A heartbeat that is later than `limit_ms` is a stall. A loop that hangs for half a minute ends the process, as does
-  /// a crash; both write the stack of the thread to stderr.
+  /// A heartbeat that is later than `limit_ms` is a stall. A loop that hangs for half a minute ends the process, as
+  /// does a crash; both write the stack of the thread to stderr.
   explicit Watchdog(double limit_ms);
   ~Watchdog() override;
 
