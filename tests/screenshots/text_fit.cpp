@@ -24,6 +24,7 @@
 #include <QTabBar>
 #include <QWidget>
 #include <algorithm>
+#include <vector>
 
 namespace hexoderm {
 namespace {

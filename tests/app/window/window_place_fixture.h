@@ -36,8 +36,8 @@ class WindowPlaceTest : public KeyboardTest {
   PlacePanel& panel() { return *window_->placePanel(); }
   const PlaceStand& stand() { return panel().stand(); }
   bool waitForWork() {
-    constexpr std::array kWorks = {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places};
-    return waitUntilIdle() && waitUntil([this, kWorks] {
+    static constexpr std::array kWorks = {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places};
+    return waitUntilIdle() && waitUntil([this] {
              window_->showChanges();
              return std::ranges::none_of(kWorks, [this](PlaceWork work) { return panel().isRunning(work); });
            });

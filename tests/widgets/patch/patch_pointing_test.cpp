@@ -5,6 +5,7 @@
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/patch/patch_marks.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/style/palette.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/words/formatting.h"

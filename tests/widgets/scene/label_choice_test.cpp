@@ -16,14 +16,14 @@ std::shared_ptr<const SceneContent> contentOf(Reconstruction skin) { return make
 
 /// Looks at `target` from this direction, with letters of so many pixels where it is (at 72 dpi).
 SceneSight looking(const SceneContent& content, const Eigen::Vector3d& target, const Eigen::Vector3d& from,
-                   double letters_px, bool parallel = true) {
+                   double letters_px) {
   SceneSight sight;
   sight.window = kWindow;
   sight.middle_px = {0.5 * kWindow[0], 0.5 * kWindow[1]};
   sight.back = from.normalized();
   sight.right = sight.back.unitOrthogonal();
   sight.up = sight.back.cross(sight.right);
-  sight.parallel = parallel;
+  sight.parallel = true;
   const double distance_m = 1;
   sight.eye = target + distance_m * sight.back;
   sight.pixels_per_m = letters_px / (0.52 * content.reconstruction->model->side_m);

@@ -69,13 +69,16 @@ TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
   // From right in front and right behind, where the light is the same.
   scene.setShown(SceneItem::Ports, false);
   scene.setParallel(true);
-  for (const auto& [columns, rows] : {std::pair(5, 4), std::pair(60, 50)}) {
-    scene.setReconstruction(shared(sheetReconstruction(columns, rows)));
+  for (const auto& [columns, rows] : {std::pair(5U, 4U), std::pair(60U, 50U)}) {
+    const Reconstruction sheet = sheetReconstruction(columns, rows);
+    scene.setReconstruction(shared(sheet));
     scene.showStandardView(View::Front);
     const auto front = picture();
     scene.renderer()->GetActiveCamera()->Azimuth(180);
     EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6) << columns;
-    EXPECT_TRUE(scene.pick(0.5 * kWidth, 0.5 * kHeight).has_value()) << columns;
+    const CellId middle = sheet.patches[0].cells[sheet.cellCount() / 2].cell;
+    const auto [x, y] = pixelOf(sheet, middle);
+    EXPECT_EQ(scene.pick(x, y), middle);
   }
 }
 
