@@ -348,6 +348,7 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   }
   const CellId origin(stand().patch);
   ASSERT_EQ(mounted(origin).link, "upper_arm");
+  EXPECT_FALSE(find<QPushButton>("placeMove")->isEnabled()) << "it has no place yet";
   ASSERT_NO_FATAL_FAILURE(typePoints(origin));
   ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
   ASSERT_TRUE(waitForWork());

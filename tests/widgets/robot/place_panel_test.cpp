@@ -96,27 +96,6 @@ TEST_F(PlacePanelTest, APlaceIsShownByPointingAndTakenByReturn) {
   EXPECT_EQ(previewed.back(), -1);
 }
 
-TEST_F(PlacePanelTest, MovingByHandIsAModeThatIsOfferedWhereItIsPossible) {
-  PlaceStand stand = standOfTwoPatches();
-  panel_->setStand(stand);
-  auto* move = find<QPushButton>("placeMove");
-  EXPECT_FALSE(move->isEnabled());
-  EXPECT_FALSE(find<QPushButton>("placeLook")->isEnabled());
-  stand.can_move = stand.is_drawn = true;
-  panel_->setStand(stand);
-  std::vector<bool> asked;
-  int looks = 0;
-  QObject::connect(panel_, &PlacePanel::movingChanged, [&](bool moving) { asked.push_back(moving); });
-  QObject::connect(panel_, &PlacePanel::lookWanted, [&] { ++looks; });
-  QTest::keyClick(move, Qt::Key_Space);
-  EXPECT_TRUE(move->isChecked());
-  panel_->endMoving();
-  EXPECT_FALSE(move->isChecked());
-  EXPECT_THAT(asked, testing::ElementsAre(true)) << "what has ended elsewhere is not asked for";
-  QTest::mouseClick(find<QPushButton>("placeLook"), Qt::LeftButton);
-  EXPECT_EQ(looks, 1);
-}
-
 TEST_F(PlacePanelTest, ThePickedCellIsProposedForPoints) {
   panel_->setStand(standOfTwoPatches());
   selection_.selectCell(CellId(12));
