@@ -1,6 +1,6 @@
 #!/bin/bash
 # Twenty minutes of random input on the window: monkey.cpp has its actions. Builds the program if it is not up to date.
-# Usage: tests/monkey/monkey.sh [--minutes N] [--seed N] [--limit-ms N] [--discount-load] [--discount-stolen] [--trace]
+# Usage: tests/monkey/monkey.sh [--minutes N] [--seed N] [--limit-ms N] [--discount-load]
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 source packaging/environment.sh

@@ -6,40 +6,26 @@
 #include <QTimer>
 #include <atomic>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <thread>
 #include <vector>
 
 namespace hexoderm::test {
 
-/// A time in which the GUI thread took no events, and what went on in it as the kernel counts it.
+/// A time in which the GUI thread took no events.
 struct Stall {
   double wall_ms = 0;
-  double cpu_ms = 0;            ///< computing time of the GUI thread
-  double queue_ms = 0;          ///< time in which the GUI thread was ready but had no processor
-  double drawing_ms = 0;        ///< computing time of the busiest thread that draws in software OpenGL
-  double drawing_queue_ms = 0;  ///< time in which such a thread was ready but had no processor, at most
-  double others_ms = 0;         ///< computing time of all other threads of this process
-  double stolen_ms = 0;         ///< time that a virtual machine's host took away, of the processor that it took longest
+  double queue_ms = 0;  ///< of it, the time in which the GUI thread was ready but had no processor
   QString doing;
-
-  /// Upper bound of the stall's length on an otherwise idle machine: computing time one after another (only the threads
-  /// that draw work side by side), and the time in which the GUI thread waited for anything but them, such as the
-  /// display or a disk. Only delays by other programs are left out; stolen time is not.
-  [[nodiscard]] double alone_ms() const;
-  /// Length of the stall if the machine had had all its processors; never less than its computing time.
-  [[nodiscard]] double unstolen_ms() const;
 };
 
 /// Measures how long the event loop is busy with anything at a time: a heartbeat every 5 ms on the GUI thread, and a
 /// thread that looks at it, so that a loop that hangs for good is seen too. Lives on the GUI thread.
 class Watchdog : public QObject {
  public:
-  /// A heartbeat that is later than `limit_ms` is a stall. `trace`: writes the GUI thread's stack to stderr while it
-  /// stalls, from half of the limit on, again and again. A loop that hangs for half a minute ends the process; so does
-  /// a crash, which writes the stack too.
-  Watchdog(double limit_ms, bool trace);
+  /// A heartbeat that is later than `limit_ms` is a stall. A loop that hangs for half a minute ends the process, as
+  /// does a crash; both write the stack of the thread to stderr.
+  explicit Watchdog(double limit_ms);
   ~Watchdog() override;
 
   /// Names the present activity, for the stalls that follow.
@@ -52,28 +38,13 @@ class Watchdog : public QObject {
  private:
   void beat();
   void watch();
-
-  /// Times of one thread since it began.
-  struct Turns {
-    double cpu_ms = 0;
-    double queue_ms = 0;
-  };
-  static Turns turnsOf(const QFile& schedule);
-  /// From each processor since the machine was started.
-  static std::vector<double> stolenFrom_ms(const QFile& processors);
-  void findDrawingThreads();
+  /// Since the thread of `schedule_` began; zero where the kernel does not count it.
+  [[nodiscard]] double queued_ms() const;
 
   double limit_ms_;
-  bool trace_;
   QTimer heart_;
   QFile schedule_;
-  QFile processors_;
-  std::vector<std::unique_ptr<QFile>> drawing_schedules_;
-  double last_cpu_ms_ = 0;
-  double last_process_ms_ = 0;
-  double last_queue_ms_ = 0;
-  std::vector<double> last_stolen_ms_;
-  std::vector<Turns> last_drawing_;
+  double last_queued_ms_ = 0;
   std::uint64_t beats_ = 0;
   std::vector<Stall> stalls_;
   Stall worst_;

@@ -4,8 +4,8 @@
 blind_test.py make DIR [--count N] [--seed N]
     Simulates N sessions (default 40), of which half have a bad cell or link of five kinds, and takes a picture of each
     as the window of 1280x800 draws it when the file is opened: the 3D view alone, without the words beside it. DIR gets
-    a folder of pictures for each theme and for eyes that see all colours or are blind for some, in simulation
-    (DIR/light-protanopia/07.png), and DIR/key.csv with what is bad. The programs are those of the preset release.
+    a folder of pictures for each theme (DIR/light/07.png), and DIR/key.csv with what is bad. The programs are those of
+    the preset release.
 blind_test.py score DIR/key.csv ANSWERS.csv...
     Counts right answers. ANSWERS.csv has a line for each picture: its number, and the cell that the viewer takes for
     bad, or "none". Where a link is bad, either of its cells is right.

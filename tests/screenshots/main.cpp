@@ -6,7 +6,6 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/translation.h"
 #include "tests/screenshots/screenshot_tour.h"
-#include "tests/support/color_vision.h"
 #include "tests/support/newcomer.h"
 #include "tests/support/qt_wait.h"
 #include "widgets/patch/patch_view.h"
@@ -26,30 +25,8 @@ int complain(const QString& message, int code) {
   return code;
 }
 
-struct Eyes {
-  const char* name;
-  ColorMatrix matrix;
-};
-
-const std::array<Eyes, 4> kEyes = {{{"all-colours", kAllColours},
-                                    {"protanopia", kProtanopia},
-                                    {"deuteranopia", kDeuteranopia},
-                                    {"tritanopia", kTritanopia}}};
-
-QImage seenBy(const ColorMatrix& eyes, const QImage& picture) {
-  QImage seen = picture.convertToFormat(QImage::Format_RGB32);
-  for (int y = 0; y < seen.height(); ++y) {
-    for (int x = 0; x < seen.width(); ++x) {
-      const QColor color = seen.pixelColor(x, y);
-      const Rgb other = hexoderm::seenBy(eyes, {color.redF(), color.greenF(), color.blueF()});
-      seen.setPixelColor(x, y, QColor::fromRgbF(other[0], other[1], other[2]));
-    }
-  }
-  return seen;
-}
-
-/// A picture for each kind of eyes in a folder of its own: FOLDER-EYES/NAME.png.
-int takeBlindPictures(const QString& folder, const QStringList& sessions, ThemeChoice theme, const QSize& size) {
+/// The 3D view alone of each session: FOLDER/NAME.png.
+int takePictures(const QString& folder, const QStringList& sessions, ThemeChoice theme, const QSize& size) {
   for (const QString& path : sessions) {
     MainWindow window;  // as after a start, whatever was seen before
     window.setThemeChoice(theme, false);
@@ -68,13 +45,9 @@ int takeBlindPictures(const QString& folder, const QStringList& sessions, ThemeC
     static_cast<void>(window.picture());  // settles all
     auto* view = window.findChild<PatchView*>();
     view->drawNow();
-    const QImage picture = view->grab().toImage();
-    for (const Eyes& eyes : kEyes) {
-      const QDir of_eyes(QStringLiteral("%1-%2").arg(folder, QString::fromLatin1(eyes.name)));
-      const QString file = of_eyes.filePath(name.section(QLatin1Char('.'), 0, 0) + QStringLiteral(".png"));
-      if (!of_eyes.mkpath(QStringLiteral(".")) || !seenBy(eyes.matrix, picture).save(file)) {
-        return complain(QStringLiteral("%1 could not be written.").arg(file), 1);
-      }
+    const QString file = QDir(folder).filePath(name.section(QLatin1Char('.'), 0, 0) + QStringLiteral(".png"));
+    if (!QDir().mkpath(folder) || !view->grab().save(file)) {
+      return complain(QStringLiteral("%1 could not be written.").arg(file), 1);
     }
     window.close();
   }
@@ -125,7 +98,7 @@ int main(int argc, char** argv) {
   applyTextFactor(text_percent / 100.0);
   if (arguments.size() > 1) {
     const QString folder = arguments.front() + QLatin1Char('/') + parser.value(theme);
-    return takeBlindPictures(folder, arguments.mid(1), *choice, window_size);
+    return takePictures(folder, arguments.mid(1), *choice, window_size);
   }
   MainWindow window;
   window.setThemeChoice(*choice, false);

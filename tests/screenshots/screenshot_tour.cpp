@@ -63,10 +63,9 @@ void ScreenshotTour::stop(QWidget& shown, const QString& name) {
     picture = picture.scaledToWidth(largest_width_px_, Qt::SmoothTransformation);
   }
   if (!picture.save(folder_.filePath(file), "PNG")) problems_ << QStringLiteral("%1 could not be written").arg(file);
-  for (const CutText& cut : findCutTexts(shown)) {
-    problems_ << QStringLiteral("%1: \"%2\" %3 (%4)").arg(file, cut.text, cut.how, cut.where);
+  for (const QString& misfit : findCutTexts(shown) + findOverlaps(shown)) {
+    problems_ << QStringLiteral("%1: %2").arg(file, misfit);
   }
-  for (const QString& overlap : findOverlaps(shown)) problems_ << QStringLiteral("%1: %2").arg(file, overlap);
   if (&shown != &window_) return;
   for (const QString& area : findSidewaysScrolling(shown)) {
     problems_ << QStringLiteral("%1: %2 scrolls sideways").arg(file, area);
@@ -181,13 +180,6 @@ QStringList ScreenshotTour::run(QSize size) {
   controller.liveSession().setAutomatic(false);
   if (!is_done || !waitUntilIdle()) return problems_ << QStringLiteral("the robot did not take enough poses");
   visitSteps(QStringLiteral("done"));
-  if (window_.size() != size) {
-    problems_ << QStringLiteral("the window has grown from %1x%2 to %3x%4")
-                     .arg(size.width())
-                     .arg(size.height())
-                     .arg(window_.width())
-                     .arg(window_.height());
-  }
   window_.actions().plot->trigger();
   stop(window_, QStringLiteral("plot"));
   window_.actions().plot->trigger();

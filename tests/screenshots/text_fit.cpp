@@ -24,6 +24,7 @@
 #include <QTabBar>
 #include <QWidget>
 #include <algorithm>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -32,7 +33,7 @@ constexpr int kSlack_px = 1;  // styles round
 
 class Finder {
  public:
-  std::vector<CutText> found;
+  QStringList found;
 
   void look(const QWidget& widget) {
     if (!widget.isVisible() || widget.size().isEmpty()) return;
@@ -49,7 +50,7 @@ class Finder {
       need(widget, group->title(), widget.fontMetrics().horizontalAdvance(group->title()), widget.width());
     }
     if (widget.property("textIsCut").toBool()) {
-      found.push_back({placeOf(widget), widget.accessibleName(), QStringLiteral("says so itself")});
+      add(widget, widget.accessibleName(), QStringLiteral("says so itself"));
     }
     for (const QObject* child : widget.children()) {
       const auto* part = qobject_cast<const QWidget*>(child);
@@ -67,11 +68,19 @@ class Finder {
     return names.join(QLatin1Char('/'));
   }
 
+  void add(const QWidget& widget, const QString& text, const QString& how) {
+    found << QStringLiteral("\"%1\" %2 (%3)").arg(text, how, placeOf(widget));
+  }
   void need(const QWidget& widget, const QString& text, int needed_px, int there_px, const char* side = "width") {
     if (needed_px <= there_px + kSlack_px) return;
-    found.push_back(
-        {placeOf(widget), text,
-         QStringLiteral("needs %1 px, has %2 px in %3").arg(needed_px).arg(there_px).arg(QLatin1String(side))});
+    add(widget, text,
+        QStringLiteral("needs %1 px, has %2 px in %3").arg(needed_px).arg(there_px).arg(QLatin1String(side)));
+  }
+
+  void needSize(const QWidget& widget, const QString& text, const QSize& size) {
+    need(widget, text, size.width(), widget.width());
+    need(widget, text, size.height(), widget.height(), "height");
+    lookForTheEdge(widget, text);
   }
 
   /// A part that lies beyond its parent is not seen, unless it can be scrolled to.
@@ -85,7 +94,7 @@ class Finder {
       if (area != nullptr && area->viewport() == at) return;
       if (rect.right() > at->width() - 1 + kSlack_px || rect.bottom() > at->height() - 1 + kSlack_px ||
           rect.left() < -kSlack_px || rect.top() < -kSlack_px) {
-        found.push_back({placeOf(widget), text, QStringLiteral("hangs over the edge of ") + placeOf(*at)});
+        add(widget, text, QStringLiteral("hangs over the edge of ") + placeOf(*at));
         return;
       }
     }
@@ -97,31 +106,22 @@ class Finder {
       lookForTheEdge(label, label.text());
       return;
     }
-    if (label.wordWrap()) {
-      need(label, label.text(), label.heightForWidth(label.width()), label.height(), "height");
-      need(label, label.text(), label.minimumSizeHint().width(), label.width());
-    } else {
-      need(label, label.text(), label.sizeHint().width(), label.width());
-      need(label, label.text(), label.sizeHint().height(), label.height(), "height");
-    }
-    lookForTheEdge(label, label.text());
+    const bool wraps = label.wordWrap();
+    needSize(label, label.text(),
+             {(wraps ? label.minimumSizeHint() : label.sizeHint()).width(),
+              wraps ? label.heightForWidth(label.width()) : label.sizeHint().height()});
   }
 
   void lookAt(const QAbstractButton& button) {
     if (button.text().isEmpty()) return;
     if (const auto* action = qobject_cast<const ActionButton*>(&button)) {
-      // It breaks its text into lines.
-      need(button, button.text(), action->sizeHint().width(), button.width());
-      need(button, button.text(), action->sizeHint().height(), button.height(), "height");
-      lookForTheEdge(button, button.text());
-      return;
+      return needSize(button, button.text(), action->sizeHint());  // it breaks its text into lines
     }
     // The hint has room to spare at the sides; what counts is the text and the style's own margins.
     const int text_px = button.fontMetrics().size(Qt::TextShowMnemonic, button.text()).width();
     const int icon_px = button.icon().isNull() ? 0 : button.iconSize().width();
-    need(button, button.text(), std::min(button.sizeHint().width(), text_px + icon_px + 8), button.width());
-    need(button, button.text(), button.fontMetrics().height(), button.height(), "height");
-    lookForTheEdge(button, button.text());
+    needSize(button, button.text(),
+             {std::min(button.sizeHint().width(), text_px + icon_px + 8), button.fontMetrics().height()});
   }
 
   void lookAt(const QTabBar& tabs) {
@@ -150,7 +150,7 @@ class Finder {
       if (!action->isVisible()) continue;
       const QRect place = menu.actionGeometry(const_cast<QAction*>(action));
       if (place.isEmpty() || place.right() >= menu.width()) {
-        found.push_back({placeOf(menu), action->text(), QStringLiteral("has no room in the menu bar")});
+        add(menu, action->text(), QStringLiteral("has no room in the menu bar"));
       }
     }
   }
@@ -167,10 +167,6 @@ class Finder {
     }
   }
 };
-
-}  // namespace
-
-namespace {
 
 struct ShownText {
   const QWidget* widget;
@@ -230,10 +226,10 @@ QStringList findSidewaysScrolling(const QWidget& root) {
   return found;
 }
 
-std::vector<CutText> findCutTexts(const QWidget& root) {
+QStringList findCutTexts(const QWidget& root) {
   Finder finder;
   finder.look(root);
-  return std::move(finder.found);
+  return finder.found;
 }
 
 }  // namespace hexoderm

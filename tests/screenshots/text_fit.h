@@ -1,25 +1,17 @@
 #pragma once
 
-#include <QString>
 #include <QStringList>
-#include <vector>
 
 class QWidget;
 
 namespace hexoderm {
 
-/// A text that does not fit into its place.
-struct CutText {
-  QString where;  ///< object names from the window down, and the class
-  QString text;
-  QString how;  ///< "needs 120 px, has 96 px in width"
-};
-
 /// Every visible label, button, tab, menu title, column header and group title under `root` (itself included) whose
 /// text is wider or taller than its room, or which hangs over the edge of its parent. Scrolled contents may hang over.
 /// A widget that draws its text itself reports by a dynamic property "textIsCut" (bool). Layouts must have settled.
-/// ElidedLabel, whose whole text is in its tool tip, may be cut.
-std::vector<CutText> findCutTexts(const QWidget& root);
+/// ElidedLabel, whose whole text is in its tool tip, may be cut. Each is said in a line: "text" needs 120 px, has 96 px
+/// in width (its place by object names from the window down, and its class).
+QStringList findCutTexts(const QWidget& root);
 
 /// Two texts of which one lies over the other; notices and marks, which lie over the content on purpose, don't count.
 /// Empty if there are none.

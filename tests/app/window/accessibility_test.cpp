@@ -1,5 +1,4 @@
-// Everything that can be reached has a name, everything that can be done is in a menu and says what it is for, and
-// nothing is cut off.
+// Everything that can be reached has a name, and everything that can be done is in a menu and says what it is for.
 
 #include "tests/app/window/keyboard.h"
 #include "tests/screenshots/text_fit.h"
@@ -25,15 +24,6 @@ class AccessibilityTest : public KeyboardTest {
       found << QStringLiteral("%1 \"%2\" in \"%3\"")
                    .arg(widget->metaObject()->className(), widget->objectName(),
                         widget->parentWidget() ? widget->parentWidget()->objectName() : QString());
-    }
-    return found;
-  }
-
-  /// Texts that have less room than they need.
-  static std::string cutOff(const QWidget& root) {
-    std::string found;
-    for (const CutText& cut : findCutTexts(root)) {
-      found += qPrintable(QStringLiteral("%1: \"%2\" %3\n").arg(cut.where, cut.text, cut.how));
     }
     return found;
   }
@@ -84,7 +74,7 @@ TEST_F(AccessibilityTest, EverythingInDialogsHasANameAndRoom) {
       if (tabs) tabs->setCurrentIndex(page);
       QCoreApplication::processEvents();
       EXPECT_EQ(nameless(dialog).join("\n").toStdString(), "") << name << ", page " << page;
-      EXPECT_EQ(cutOff(*dialog), "") << name << ", page " << page;
+      EXPECT_EQ(findCutTexts(*dialog), QStringList()) << name << ", page " << page;
     }
     dialog->close();
     ASSERT_TRUE(waitUntil([&] { return dialog.isNull(); })) << name;
@@ -126,36 +116,6 @@ TEST_F(AccessibilityTest, TabGoesRoundThroughEverythingAtTheStart) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
   EXPECT_EQ(buttons, 4);
-}
-
-TEST_F(AccessibilityTest, NothingIsCutOffAtSmallSizesAndWithLargeText) {
-  const QFont font = QApplication::font();
-  for (const double points : {font.pointSizeF(), 14.0, 18.0}) {
-    QFont larger = font;
-    larger.setPointSizeF(points);
-    QApplication::setFont(larger);
-    window_.reset();
-    openWindow();
-    const auto expectRoom = [&](const QString& state, const std::vector<QWidget*>& parts) {
-      for (const QSize& size : {QSize(1280, 800), QSize(1024, 600)}) {
-        window_->resize(size);
-        test::letTurnsPass();
-        const QString name =
-            QStringLiteral("%1-%2x%3-%4pt").arg(state).arg(size.width()).arg(size.height()).arg(points);
-        keepPicture(window_->picture(), name);
-        // Smaller screens than what the panels need scroll; this one is larger.
-        if (points == font.pointSizeF() && size.width() == 1280) {
-          EXPECT_EQ(window_->size(), size) << name.toStdString();
-        }
-        for (QWidget* part : parts) EXPECT_EQ(cutOff(*part), "") << name.toStdString();
-      }
-    };
-    expectRoom("welcome", {find<QWidget>("welcomePanel")});
-    ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-    // The banner, and the steps, which scroll.
-    expectRoom("window", {find<QLabel>("bannerSentence")->parentWidget(), find<QWidget>("stepContent")});
-  }
-  QApplication::setFont(font);
 }
 
 }  // namespace

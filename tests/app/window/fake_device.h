@@ -10,6 +10,7 @@
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -42,8 +43,10 @@ class FakeDevice {
     host_.reset(server_.nextPendingConnection());
     is_introduced_ = false;
   }
-  void introduce() {
-    say("{\"hello\": {\"device\": \"forearm\", \"cell_model\": \"hex-bma150\", \"rate_hz\": 250}}\n"
+  void introduce(bool can_turn = false) {
+    say("{\"hello\": {\"device\": \"forearm\", \"cell_model\": \"hex-bma150\", \"rate_hz\": 250, \"can_turn\": " +
+        QByteArray(can_turn ? "true" : "false") +
+        "}}\n"
         "{\"topology\": {\"id\": 1, \"cells\": ["
         "{\"id\": 1, \"ports\": [{\"port\": 1, \"cell\": 2, \"cell_port\": 4}]},"
         "{\"id\": 2, \"ports\": [{\"port\": 4, \"cell\": 1, \"cell_port\": 1}, {\"port\": 1, \"cell\": 3, "
@@ -55,6 +58,7 @@ class FakeDevice {
     host_->write(bytes);
     host_->flush();
   }
+  void fallSilent() { is_introduced_ = false; }
   void hangUp() { host_.reset(); }
   /// No host gets through any more, until it is plugged in again.
   void unplug() {
@@ -64,6 +68,8 @@ class FakeDevice {
   }
   void plugIn() { ASSERT_TRUE(server_.listen(QHostAddress::LocalHost, port_)); }
 
+  /// So many samples are not sent; from the first call on, those that are have numbers.
+  void lose(int samples) { sequence_ = sequence_.value_or(0) + samples; }
   /// Readings of so many seconds, with the noise of real ones. `motion`: what a cell reads at a time since the
   /// beginning of these seconds; cells for which it is nothing say nothing.
   using Motion = std::function<Eigen::Vector3d(int cell, double time_s)>;
@@ -87,7 +93,9 @@ class FakeDevice {
           }
         }
       }
-      say("{\"samples\": {\"time_us\": " + QByteArray::number(kPeriod_us * tick_) +
+      const QByteArray number = sequence_ ? "\"sequence\": " + QByteArray::number(*sequence_) + ", " : QByteArray();
+      if (sequence_) *sequence_ += (end - begin) * (cells.count(',') + 1);
+      say("{\"samples\": {" + number + "\"time_us\": " + QByteArray::number(kPeriod_us * tick_) +
           ", \"period_us\": 4000, \"cells\": [" + cells + "], \"acceleration_g\": [" + values + "]}}\n");
       tick_ += end - begin;
     }
@@ -110,6 +118,7 @@ class FakeDevice {
   bool is_introduced_ = false;
   quint16 port_ = 0;
   qint64 tick_ = 1000;
+  std::optional<qint64> sequence_;
   std::mt19937 random_{7};
   std::normal_distribution<double> noise_{0, 0.008};
 };

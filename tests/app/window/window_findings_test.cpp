@@ -22,18 +22,14 @@
 namespace hexoderm {
 namespace {
 
-using Poses = std::vector<PoseCapture>;
-
 class WindowFindingsTest : public WindowTest {
  protected:
-  static Session withPoses(std::size_t count, const std::function<void(Poses&)>& edit) {
-    const Session session = simulated(count, {}, 100);
-    Poses poses;
-    for (const SessionPose& pose : session.poses()) poses.push_back(*pose.capture);
-    edit(poses);
-    Session edited(session.model(), session.neighbors(), session.source());
-    for (const PoseCapture& pose : poses) edited.addPose({std::make_shared<const PoseCapture>(pose)});
-    return edited;
+  static Session withARepeatedPose() {
+    Session session = simulated(3, {}, 100);
+    auto again = std::make_shared<PoseCapture>(*session.poses()[1].capture);
+    again->id = PoseId(9);
+    session.addPose({again});
+    return session;
   }
   static Session withDeadCell() {
     SimulatedSkinOptions options;
@@ -118,14 +114,7 @@ TEST_F(WindowFindingsTest, OfEveryKindAreNamedAndPicked) {
   } cases[] = {
       {"dead_cell", FindingCode::DeadSensor, {CellId(7)}, withDeadCell()},
       {"joint", FindingCode::LinkNotRigid, {CellId(1)}, withJoint()},
-      {"repeated_pose",
-       FindingCode::RepeatedPose,
-       {},
-       withPoses(3,
-                 [](Poses& poses) {
-                   poses.push_back(poses[1]);
-                   poses.back().id = PoseId(9);
-                 })},
+      {"repeated_pose", FindingCode::RepeatedPose, {}, withARepeatedPose()},
       {"no_poses", FindingCode::NoPoses, {}, simulated(0)},
   };
   for (const auto& fault : cases) {

@@ -107,7 +107,12 @@ void DemoByKeys::capturePoses() {
   ASSERT_TRUE(waitUntil([&] { return !controller().liveSession().nextPose()->up.isApprox(advised); }))
       << "another one is advised";
   EXPECT_LT(controller().liveSession().nextPose()->up.dot(advised), std::cos(29.9 * kDegree));
-  // By the buttons of the step: turned to where the next pose helps, and taken when it is still.
+  // By the buttons of the step: another one, turned to where the next pose helps, and taken when it is still.
+  ASSERT_TRUE(waitUntil([this] { return action("actionSkipPose")->isEnabled(); }));
+  const Eigen::Vector3d second = controller().liveSession().nextPose()->up;
+  ASSERT_NO_FATAL_FAILURE(tabTo("captureSkip"));
+  key(Qt::Key_Space);
+  ASSERT_TRUE(waitUntil([&] { return !controller().liveSession().nextPose()->up.isApprox(second); }));
   ASSERT_TRUE(waitUntil([this] { return action("actionTurn")->isEnabled(); }));
   ASSERT_NO_FATAL_FAILURE(tabTo("captureTurnForMe"));
   key(Qt::Key_Space);

@@ -5,6 +5,7 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/app/window/fake_device.h"
 #include "tests/app/window/window_test.h"
+#include "tests/screenshots/text_fit.h"
 #include "widgets/controls/card_dock.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/view_mark.h"
@@ -140,31 +141,6 @@ TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlace) {
   EXPECT_FALSE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
 }
 
-TEST_F(WindowLayoutTest, TablesShowEightRowsAtTheFirstStart) {
-  const auto rowsSeen = [this](const char* name) {
-    const auto* view = find<QTableView>(name);
-    return view->viewport()->height() / view->verticalHeader()->defaultSectionSize();
-  };
-  window_->resize(1440, 900);
-  action("actionResetLayout")->trigger();
-  ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
-  test::letTurnsPass();
-  auto* tabs = find<QTabBar>("detailTabs");
-  EXPECT_GE(rowsSeen("poseView"), 8);
-  const char* const views[] = {"findingView", "linkView", "cellView"};
-  for (int page = 1; page < 3; ++page) {
-    tabs->setCurrentIndex(page);
-    test::letTurnsPass();
-    EXPECT_GE(rowsSeen(views[page]), 8) << views[page];
-  }
-  // Where there is little room, the findings have it all.
-  tabs->setCurrentIndex(0);
-  const auto* card = find<QWidget>("findingsCard");
-  ASSERT_TRUE(waitUntil([&] { return card->isVisible(); }));
-  window_->resize(1024, 768);
-  EXPECT_TRUE(waitUntil([&] { return !card->isVisible(); }));
-}
-
 /// Language and size of the text; sizes that everything must fit into.
 class WindowFits : public WindowLayoutTest, public testing::WithParamInterface<std::tuple<const char*, double>> {
  protected:
@@ -183,36 +159,32 @@ class WindowFits : public WindowLayoutTest, public testing::WithParamInterface<s
   QFont font_;
 };
 
-TEST_P(WindowFits, SmallSizesWithoutScrollingSideways) {
+TEST_P(WindowFits, SmallSizesWithoutScrollingSidewaysOrTextsThatAreCutOff) {
   const double factor = std::get<1>(GetParam());
-  // The lower ones are those of screens less a title bar.
+  // The lower ones are those of screens less a title bar. At the largest text the window may be larger.
+  const bool is_largest = factor > 1.5;
   const std::vector<QSize> sizes = factor > 1 ? std::vector{QSize(1440, 863), QSize(1280, 800)}
                                               : std::vector{QSize(1366, 731), QSize(1280, 800), QSize(1024, 731)};
-  const auto expectFits = [&](const QSize& size, const std::string& when) {
+  const auto expectFits = [&](const QSize& size, const std::vector<const char*>& parts, const std::string& when) {
+    SCOPED_TRACE(when + " at " + std::to_string(size.width()));
     window_->resize(size);
     test::letTurnsPass();
-    const std::string name = when + " at " + std::to_string(size.width());
-    EXPECT_EQ(window_->size(), size) << name;
-    for (const auto* area : window_->findChildren<QScrollArea*>()) {
-      if (!area->isVisible()) continue;
-      EXPECT_FALSE(area->horizontalScrollBar()->isVisible()) << name << ": " << area->objectName().toStdString();
-    }
+    for (const char* part : parts) EXPECT_EQ(findCutTexts(*find<QWidget>(part)), QStringList());
+    if (is_largest) return;
+    EXPECT_EQ(window_->size(), size);
+    EXPECT_EQ(findSidewaysScrolling(*window_), QStringList());
   };
-  for (const QSize& size : sizes) expectFits(size, "empty");
+  for (const QSize& size : sizes) expectFits(size, {"welcomePanel"}, "empty");
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   for (int step = 0; step <= static_cast<int>(GuideStep::Export); ++step) {
     find<StepPanel>("stepPanel")->openStep(step);
-    for (const QSize& size : sizes) expectFits(size, "step " + std::to_string(step + 1));
+    for (const QSize& size : sizes) expectFits(size, {"banner", "stepContent"}, "step " + std::to_string(step + 1));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, WindowFits,
                          testing::Values(std::tuple("en", 1.0), std::tuple("de", 1.0), std::tuple("en", 1.5),
-                                         std::tuple("de", 1.5)),
-                         [](const auto& param) {
-                           return std::string(std::get<0>(param.param)) +
-                                  (std::get<1>(param.param) > 1 ? "LargeText" : "");
-                         });
+                                         std::tuple("de", 1.5), std::tuple("en", 2.0)));
 
 TEST_F(WindowLayoutTest, ALostDeviceIsUnmistakableAndSaysWhatToCheck) {
   FakeDevice device;

@@ -29,22 +29,10 @@ class WindowLiveTest : public WindowTest {
     window_->connectTo({kQuickSkin, path});
     ASSERT_TRUE(waitForPoses(1));
   }
-  /// Two cells on a TCP port of this computer, which `hello` describes; the window connects to it.
-  void connectToTwoCells(const char* hello) {
+  void connectDevice(bool can_turn = false) {
     window_->connectTo({device_.address(), pathTo("arm.hexo"), false});
     ASSERT_NO_FATAL_FAILURE(device_.accept());
-    device_.say(hello);
-    device_.say(
-        "{\"topology\": {\"id\": 1, \"cells\": [{\"id\": 1, \"ports\": [{\"port\": 2, \"cell\": 2, \"cell_port\": 3}]},"
-        " {\"id\": 2, \"ports\": [{\"port\": 3, \"cell\": 1, \"cell_port\": 2}]}]}}\n");
-  }
-  /// The reading of a tick of 10 ms, with `lost` samples missing before it.
-  void send(int tick, int lost = 0) {
-    device_.say(QStringLiteral("{\"samples\": {\"sequence\": %1, \"time_us\": %2, \"cells\": [1, 2], "
-                               "\"acceleration_g\": [0, 0, 1, 0, 0, 1]}}\n")
-                    .arg(2 * tick + lost)
-                    .arg(10000 * tick)
-                    .toUtf8());
+    device_.introduce(can_turn);
   }
 
   FakeDevice device_;
@@ -129,21 +117,18 @@ TEST_F(WindowLiveTest, ADeviceThatIsNotThereIsSaidAndItsAddressCanBeCorrectedOrG
 }
 
 TEST_F(WindowLiveTest, LossesAndSilenceOfADeviceAreSaid) {
-  ASSERT_NO_FATAL_FAILURE(
-      connectToTwoCells("{\"hello\": {\"device\": \"my skin\", \"cell_model\": \"hex-bma150\"}}\n"));
+  ASSERT_NO_FATAL_FAILURE(connectDevice());
   // Until the window has shown it, however busy the computer is.
-  ASSERT_TRUE(waitUntil([this, tick = 0]() mutable {
-    send(tick, tick < 40 ? 0 : 6);
-    ++tick;
+  ASSERT_TRUE(waitUntil([this, times = 0]() mutable {
+    device_.lose(++times == 10 ? 6 : 0);
+    device_.hold(0.1, Eigen::Vector3d::UnitZ());
     return labelText("liveState") == "Streaming" && labelText("lossesStatus") == "6 samples lost";
   })) << labelText("lossesStatus").toStdString();
   EXPECT_TRUE(find<QLabel>("lossesStatus")->isVisible());
-  QElapsedTimer timer;
-  timer.start();
+  device_.fallSilent();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Silent"; }));
   // A busy computer may show it late; when it is said is the source's, and that leaves a fifth of the second.
   EXPECT_LE(WireOptions().silent_after, std::chrono::milliseconds(800));
-  RecordProperty("silent_shown_after_ms", static_cast<int>(timer.elapsed()));
   device_.unplug();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Connecting"; }));
   EXPECT_NE(controller().session(), nullptr) << "the session stays";
@@ -210,18 +195,6 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   EXPECT_EQ(read(path).poses().size(), 2U);
 }
 
-TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
-  const QString path = pathTo("later/arm.hexo");
-  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
-  ASSERT_TRUE(waitForMessage("arm.hexo"));
-  EXPECT_EQ(labelText("savedStatus"), "not on disk");
-  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
-  click(find<QPushButton>("messageButton"));
-  ASSERT_TRUE(waitForMessage("Saved to " + path));
-  EXPECT_FALSE(controller().file().hasUnsavedChanges());
-  EXPECT_EQ(read(path).poses().size(), 1U);
-}
-
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   press(Qt::Key_S, Qt::ControlModifier);
@@ -236,20 +209,20 @@ TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
 }
 
 TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadingsGo) {
-  ASSERT_NO_FATAL_FAILURE(connectToTwoCells(
-      "{\"hello\": {\"device\": \"my robot\", \"cell_model\": \"hex-bma150\", \"can_turn\": true}}\n"));
+  ASSERT_NO_FATAL_FAILURE(connectDevice(true));
   auto* stillness = find<StillnessView>("stillnessView");
   auto* patch = window_->findChild<PatchView*>();
   ASSERT_TRUE(stillness && patch);
   // Until the robot is at work and its readings are shown.
-  ASSERT_TRUE(waitUntil([&, tick = 0]() mutable {
-    send(tick++);
+  ASSERT_TRUE(waitUntil([&] {
+    device_.hold(0.1, Eigen::Vector3d::UnitZ());
     QAction* robot = action("actionRobot");
     if (robot->isEnabled() && !robot->isChecked()) robot->trigger();
     return !stillness->trace().points().empty() && patch->moment().readings &&
            labelText("bannerSentence").startsWith("The robot is taking pose");
   })) << labelText("bannerSentence").toStdString();
 
+  device_.fallSilent();
   ASSERT_TRUE(waitUntil([this] { return labelText("bannerSentence").startsWith("The skin does not send any more"); }));
   EXPECT_TRUE(controller().liveSession().isRobotOn()) << "it goes on when the skin does";
   EXPECT_EQ(bannerButton(), action("actionConnect")->iconText());

@@ -11,6 +11,7 @@
 #include "widgets/robot/place_panel.h"
 #include "widgets/robot/robot_view.h"
 
+#include <array>
 #include <cstddef>
 
 namespace hexoderm {
@@ -34,16 +35,11 @@ class WindowPlaceTest : public KeyboardTest {
 
   PlacePanel& panel() { return *window_->placePanel(); }
   const PlaceStand& stand() { return panel().stand(); }
-  bool isWorking() {
-    for (const PlaceWork work : {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places}) {
-      if (panel().isRunning(work)) return true;
-    }
-    return false;
-  }
   bool waitForWork() {
+    static constexpr std::array kWorks = {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places};
     return waitUntilIdle() && waitUntil([this] {
              window_->showChanges();
-             return !isWorking();
+             return std::ranges::none_of(kWorks, [this](PlaceWork work) { return panel().isRunning(work); });
            });
   }
   void openPlace() {
@@ -83,16 +79,6 @@ class WindowPlaceTest : public KeyboardTest {
     ASSERT_NO_FATAL_FAILURE(chooseRobot(HEXODERM_DEMO_ROBOT));
     ASSERT_TRUE(stand().has_robot) << stand().robot.text.toStdString();
     ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("arm.csv")));
-  }
-  void choosePatch(quint32 origin) {
-    auto* box = find<QComboBox>("placePatchList");
-    const int index = box->findData(origin);
-    ASSERT_GE(index, 0);
-    box->setFocus();
-    QTest::keyClick(box, Qt::Key_Home);
-    for (int k = 0; k < box->count() && box->currentIndex() != index; ++k) QTest::keyClick(box, Qt::Key_Down);
-    ASSERT_EQ(stand().patch, origin);
-    ASSERT_TRUE(waitForWork());
   }
   /// Of the patch that holds a cell.
   [[nodiscard]] const MountedPatch& mounted(CellId cell) const {

@@ -209,9 +209,12 @@ TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
     }
     block += line.join('\t') + '\n';
   }
-  QApplication::clipboard()->setText(block);
   table->setFocus();
   table->setCurrentIndex(table->model()->index(0, 0));
+  QApplication::clipboard()->setText("x");
+  key(Qt::Key_V, Qt::ControlModifier);
+  EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("is no number"));
+  QApplication::clipboard()->setText(block);
   const int steps = controller().undoStack()->count();
   key(Qt::Key_V, Qt::ControlModifier);
   ASSERT_TRUE(waitForWork());
@@ -339,11 +342,13 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   RobotView* view = window_->robotView();
   ASSERT_TRUE(view->canDraw()) << "no OpenGL";
   // The upper arm is a box with rounded edges, along which its patch can slide.
-  for (const PlaceStand::Choice& choice : std::vector(stand().patches)) {
-    if (mounted(CellId(choice.id)).link != "upper_arm") continue;
-    ASSERT_NO_FATAL_FAILURE(choosePatch(choice.id));
+  if (mounted(CellId(stand().patch)).link != "upper_arm") {
+    QTest::keyClick(find<QComboBox>("placePatchList"), Qt::Key_Down);
+    ASSERT_TRUE(waitForWork());
   }
   const CellId origin(stand().patch);
+  ASSERT_EQ(mounted(origin).link, "upper_arm");
+  EXPECT_FALSE(find<QPushButton>("placeMove")->isEnabled()) << "it has no place yet";
   ASSERT_NO_FATAL_FAILURE(typePoints(origin));
   ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
   ASSERT_TRUE(waitForWork());

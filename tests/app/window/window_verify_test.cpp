@@ -38,16 +38,6 @@ class WindowVerifyTest : public WindowTest {
   }
 };
 
-TEST_F(WindowVerifyTest, HoldsAPoseOutAndSaysHowWellTheOthersForetellIt) {
-  // The poses are the same every time: their predictability differs from capture to capture.
-  ASSERT_NO_FATAL_FAILURE(openSession("6.session.json", simulated(6, {}, 100)));
-  ASSERT_NO_FATAL_FAILURE(showPanel());
-  find<QComboBox>("holdOutPose")->setCurrentIndex(2);
-  ASSERT_NO_FATAL_FAILURE(click("holdOutRun"));
-  ASSERT_TRUE(waitForSentence("holdOut", "The other 5 poses predict pose 3"));
-  EXPECT_THAT(sentence("holdOut"), BeginsWith("As good as stated"));
-}
-
 TEST_F(WindowVerifyTest, LoopsSurfaceAndTheTrueRadiusAreJudgedAsPosesCome) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(3));
   ASSERT_NO_FATAL_FAILURE(showPanel());
@@ -252,6 +242,8 @@ TEST_F(WindowVerifyTest, ResidualsPickLinkAndPoseInTheWholeWindow) {
   ASSERT_TRUE(window_->selection().link().has_value());
   EXPECT_EQ(find<QTableView>("poseView")->currentIndex().row(), 2);
   EXPECT_EQ(find<QTableView>("linkView")->currentIndex().row(), 1);
+  QTest::keyClick(matrix, Qt::Key_Right);
+  EXPECT_EQ(find<QTableView>("poseView")->currentIndex().row(), 3);
 }
 
 TEST_F(WindowVerifyTest, SortedTablesStillMeanTheRowThatIsSeen) {

@@ -25,11 +25,11 @@ const Wire kWires[] = {
     {"TcpInLines", "Network, TCP", {"--json", "--tcp"}},
 };
 
-/// The emulator. A serial port has a name in a folder as /dev/serial/by-id is.
-class Device {
- public:
-  Device(const Wire& wire, const QString& port_name) {
-    std::vector<std::string> arguments = wire.spoken;
+class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wire> {
+ protected:
+  void SetUp() override {
+    WindowTest::SetUp();
+    std::vector<std::string> arguments = GetParam().spoken;
     const bool is_serial = arguments.front() == "--pty";
     if (!is_serial) arguments.emplace_back("0");
     // Few samples, at four times the pace of life: the part is soon there, and a computer that is busy keeps up.
@@ -37,28 +37,15 @@ class Device {
       arguments.emplace_back(word);
     emulator_ = std::make_unique<Emulator>(arguments);
     const QString address = QString::fromStdString(emulator_->address);
-    EXPECT_TRUE(!is_serial || QFile::link(address.section(':', 1), port_name));
-    address_ = is_serial ? port_name : "127.0.0.1:" + address.section(':', -1);
-  }
-
-  /// In the form in which it is typed after the kind of connection.
-  [[nodiscard]] QString address() const { return address_; }
-  [[nodiscard]] std::string type(const std::string& line) const { return emulator_->type(line); }
-
- private:
-  QString address_;
-  std::unique_ptr<Emulator> emulator_;
-};
-
-class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wire> {
- protected:
-  void SetUp() override {
-    WindowTest::SetUp();
-    device_ = std::make_unique<Device>(GetParam(), pathTo("usb-skin"));
+    address_ = "127.0.0.1:" + address.section(':', -1);
+    if (!is_serial) return;
+    // A serial port has a name in a folder as /dev/serial/by-id is.
+    address_ = pathTo("usb-skin");
+    ASSERT_TRUE(QFile::link(address.section(':', 1), address_));
   }
   /// The first pose is captured automatically, where the part lies.
   void connectDevice() {
-    ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, device_->address(), path()));
+    ASSERT_NO_FATAL_FAILURE(connectByDialog(GetParam().kind, address_, path()));
     ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
     // What went well is said for a moment only, and solving may take longer.
     ASSERT_TRUE(waitForMessage("Pose 1 captured: 17 cells."));
@@ -74,14 +61,7 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     EXPECT_THAT(message(), Not(HasText("repeats")));
     ASSERT_TRUE(waitForPoses(2));
   }
-  void captureBySpace(std::size_t poses) {
-    ASSERT_TRUE(waitUntil([this] { return action("actionCapture")->isEnabled(); }))
-        << action("actionCapture")->toolTip().toStdString();
-    press(Qt::Key_Space);
-    ASSERT_TRUE(waitForPoses(poses));
-  }
   [[nodiscard]] QString path() const { return pathTo("arm.hexo"); }
-  [[nodiscard]] std::size_t posesInFile() const { return readSessionStore(path().toStdString()).poses().size(); }
   bool isSaidByTheCheck(const QString& text) {
     for (const QLabel* label : find<CheckList>("checkList")->findChildren<QLabel*>()) {
       if (label->isVisible() && label->text().contains(text)) return true;
@@ -89,7 +69,8 @@ class WindowWiresTest : public WindowTest, public testing::WithParamInterface<Wi
     return false;
   }
 
-  std::unique_ptr<Device> device_;
+  std::unique_ptr<Emulator> emulator_;
+  QString address_;  ///< as it is typed after the kind of connection
   Eigen::Vector3d advised_o_ = Eigen::Vector3d::Zero();
 };
 
@@ -98,7 +79,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   EXPECT_EQ(labelText("liveState"), "Streaming");
   EXPECT_THAT(labelText("sourceStatus"), HasText("Streaming"));
   EXPECT_THAT(labelText("sourceStatus"), HasText("emulated skin"));
-  EXPECT_THAT(labelText("sourceStatus"), HasText(device_->address()));
+  EXPECT_THAT(labelText("sourceStatus"), HasText(address_));
   EXPECT_FALSE(find<QWidget>("liveStrip")->isVisible()) << labelText("liveText").toStdString();
   EXPECT_EQ(controller().reconstruction()->cellCount(), 17U);
   press(Qt::Key_2, Qt::ControlModifier);
@@ -109,7 +90,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   clickCellInGraph(CellId(3));
   ASSERT_TRUE(action("actionLightCell")->isEnabled()) << action("actionLightCell")->toolTip().toStdString();
   press(Qt::Key_L, Qt::ControlModifier);
-  EXPECT_TRUE(waitUntil([this] { return device_->type("led 3") == "cell 3 #ffffff"; }));
+  EXPECT_TRUE(waitUntil([this] { return emulator_->type("led 3") == "cell 3 #ffffff"; }));
   ASSERT_NO_FATAL_FAILURE(turnToTheSecondPose());
   const PatchReconstruction& patch = controller().reconstruction()->patches.at(0);
   ASSERT_EQ(patch.gravity.size(), 2U);
@@ -124,7 +105,7 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   EXPECT_TRUE(waitUntil([this] { return action("actionCapture")->toolTip() == "No skin is connected"; }));
   EXPECT_EQ(posesShown(), 2U);
   ASSERT_TRUE(waitUntilKept());
-  const Session kept = readSessionStore(path().toStdString());
+  const Session kept = read(path());
   ASSERT_EQ(kept.poses().size(), 2U);
   for (const SessionPose& pose : kept.poses()) EXPECT_EQ(pose.capture->samples.size(), 17U);
   EXPECT_EQ(kept.neighbors(), controller().session()->neighbors());
@@ -134,10 +115,12 @@ TEST_P(WindowWiresTest, ADeviceIsConnectedCheckedCapturedAndLeft) {
   auto* dialog = waitForDialog("connectDialog");
   QTest::keyClick(dialog->findChild<QComboBox*>("connectAddress"), Qt::Key_Return);
   ASSERT_TRUE(waitUntil([this] { return controller().liveSession().isLive(); }));
-  ASSERT_NO_FATAL_FAILURE(captureBySpace(3));
+  ASSERT_TRUE(waitUntil([this] { return action("actionCapture")->isEnabled(); }));
+  press(Qt::Key_Space);
+  ASSERT_TRUE(waitForPoses(3));
   ASSERT_TRUE(waitForMessage("Pose 3 captured: 17 cells. It repeats pose 2"));
   ASSERT_TRUE(waitUntilKept());
-  EXPECT_EQ(posesInFile(), 3U);
+  EXPECT_EQ(read(path()).poses().size(), 3U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Wires, WindowWiresTest, testing::ValuesIn(kWires),

@@ -1,6 +1,7 @@
 // A window on a machine that has no OpenGL, from its first message to a calibration.
 
 #include "tests/app/window/window_test.h"
+#include "widgets/patch/patch_captions.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/patch/scene_widget.h"
 
@@ -43,11 +44,14 @@ TEST_F(WindowWithoutOpenGlTest, SaysSoWhereTheProcessorDrawsAlready) {
 
 TEST_F(WindowWithoutOpenGlTest, CalibratesAllTheSame) {
   EXPECT_EQ(window_->findChild<SceneWidget*>(), nullptr);
+  const auto* captions = window_->findChild<PatchCaptions*>();
+  EXPECT_THAT(captions->accessibleName(), HasTexts({"OpenGL", "Preferences, \"Draw without the graphics card\""}));
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   EXPECT_EQ(find<QTableView>("poseView")->model()->rowCount(), 2);
   EXPECT_EQ(find<QTableView>("linkView")->model()->rowCount(), 16);
   ASSERT_NO_FATAL_FAILURE(clickCellInGraph(CellId(5)));
   action("actionThemeDark")->trigger();
+  action("actionFit")->trigger();
   action("actionSwapViews")->trigger();
   const QImage picture = window_->picture();
   auto* patch = window_->findChild<PatchView*>();
@@ -57,6 +61,7 @@ TEST_F(WindowWithoutOpenGlTest, CalibratesAllTheSame) {
   action("actionSwapViews")->trigger();
   action("actionUndo")->trigger();
   EXPECT_TRUE(waitForPoses(1));
+  EXPECT_THAT(captions->accessibleName(), HasText("OpenGL"));
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 #include "widgets/capture/capture_words.h"
 #include "widgets/capture/hold_ring.h"
 #include "widgets/capture/live_strip.h"
-#include "widgets/controls/action_button.h"
-#include "widgets/controls/toggle_switch.h"
 
 #include <gtest/gtest.h>
 
@@ -41,11 +39,6 @@ SourceStatus streaming() {
 
 class CapturePanelTest : public testing::Test {
  protected:
-  CapturePanelTest() {
-    automatic.setCheckable(true);
-    automatic.setChecked(true);
-    capture.setShortcut(Qt::Key_Space);
-  }
   void show(const QSize& size = {300, 640}) {
     panel.resize(size);
     panel.show();
@@ -115,17 +108,6 @@ TEST_F(CapturePanelTest, EveryBlockerHasItsWords) {
     EXPECT_FALSE(holdText(hold).word.isEmpty());
     EXPECT_FALSE(waitText(hold).isEmpty());
   }
-  EXPECT_EQ(holdText(shaking()).word, "Hold still");
-  EXPECT_EQ(waitText(shaking()), "Waiting: cell 7 moves 44 mg, limit 30 mg");
-  hold.stillness.blocker = Blocker::NotMoved;
-  hold.stillness.moved_rad = 2.3 * kDegree;
-  hold.stillness.rearm_rad = 5 * kDegree;
-  EXPECT_EQ(holdText(hold).word, "Turn the part");
-  EXPECT_EQ(waitText(hold), "Waiting: moved 2.3° since the last pose, needs 5°");
-  hold.stillness.blocker = Blocker::Turning;
-  hold.stillness.drift_rad_s = 3.2 * kDegree;
-  hold.stillness.drift_limit_rad_s = kDegree;
-  EXPECT_EQ(waitText(hold), "Waiting: the part turns by 3.2 °/s, limit 1.0 °/s");
   hold.stillness.odd_cells = {{CellId(5), OddCellKind::Noisy, 0.2}, {CellId(9), OddCellKind::Silent, 2}};
   EXPECT_EQ(oddCellsText(hold), "Not waited for: cell 5 (noisy), cell 9 (silent)");
 }
@@ -144,30 +126,15 @@ TEST_F(CapturePanelTest, TheRingCountsWhileReadingsAreTaken) {
   EXPECT_NE(ring()->grab().toImage(), before);
 }
 
-TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndARepetitionStaysText) {
+TEST_F(CapturePanelTest, ACaptureIsShownForAMomentAndAPoseThatIsBeingWrittenIsNotSaidToBeCaptured) {
   show();
   panel.setSource(streaming());
-  panel.setHold(shaking());
+  panel.setHold(HoldStatus{});
   panel.showCaptured(PoseId(3), "Pose 3 repeats pose 1.");
   EXPECT_TRUE(ring()->content().captured);
   EXPECT_EQ(ring()->content().detail, "pose 3");
   EXPECT_TRUE(test::waitUntil([&] { return !ring()->content().captured; }));
   EXPECT_EQ(text("captureRemark"), "Pose 3 repeats pose 1.");
-  panel.showCaptured(PoseId(4));
-  EXPECT_EQ(text("captureRemark"), QString());
-}
-
-HoldStatus movedOn() {
-  HoldStatus hold;
-  hold.stillness.armed = true;
-  hold.progress = 0.2;
-  return hold;
-}
-
-TEST_F(CapturePanelTest, APoseThatIsBeingWrittenIsNotSaidToBeCaptured) {
-  show();
-  panel.setSource(streaming());
-  panel.setHold(HoldStatus{});
   panel.showCaptured(PoseId(3), "Pose 3 repeats pose 1.");
   panel.showWriting(PoseId(4));
   EXPECT_FALSE(ring()->content().captured);
@@ -182,7 +149,10 @@ TEST_F(CapturePanelTest, APoseThatIsBeingWrittenIsNotSaidToBeCaptured) {
   EXPECT_NE(ring()->content().word, "Writing");
 
   panel.showWriting(PoseId(5));
-  panel.setHold(movedOn());
+  HoldStatus moved_on;
+  moved_on.stillness.armed = true;
+  moved_on.progress = 0.2;
+  panel.setHold(moved_on);
   EXPECT_NE(ring()->content().word, "Writing") << "the next hold has begun";
   panel.showWriting(PoseId(6));
   panel.endWriting(PoseId(5));
@@ -201,33 +171,6 @@ TEST_F(CapturePanelTest, ASilentSourceIsSaidInsteadOfOldReadings) {
   panel.setSource(silent);
   EXPECT_EQ(ring()->content().word, "Silent");
   EXPECT_EQ(text("captureWait"), "Nothing came for 1 s");
-}
-
-TEST_F(CapturePanelTest, ButtonsAndSwitchAreTheActionsAndSayWhyTheyCannotBeUsed) {
-  show();
-  QSignalSpy captured(&capture, &QAction::triggered);
-  QSignalSpy skipped(&skip, &QAction::triggered);
-  QSignalSpy turned(&turn, &QAction::triggered);
-  QSignalSpy switched(&automatic, &QAction::triggered);
-  QTest::mouseClick(panel.findChild<ActionButton*>("captureNow"), Qt::LeftButton);
-  QTest::mouseClick(panel.findChild<ActionButton*>("captureSkip"), Qt::LeftButton);
-  QTest::mouseClick(panel.findChild<ActionButton*>("captureTurnForMe"), Qt::LeftButton);
-  auto* toggle = panel.findChild<ToggleSwitch*>();
-  QTest::mouseClick(toggle, Qt::LeftButton, {}, QPoint(10, toggle->height() / 2));
-  EXPECT_EQ(captured.count(), 1);
-  EXPECT_EQ(skipped.count(), 1);
-  EXPECT_EQ(turned.count(), 1);
-  ASSERT_EQ(switched.count(), 1);
-  EXPECT_FALSE(automatic.isChecked());
-  EXPECT_FALSE(toggle->isChecked());
-  automatic.setChecked(true);
-  EXPECT_TRUE(toggle->isChecked());
-
-  turn.setToolTip("This device can't turn itself");
-  turn.setEnabled(false);
-  auto* button = panel.findChild<ActionButton*>("captureTurnForMe");
-  EXPECT_FALSE(button->isEnabled());
-  EXPECT_EQ(button->toolTip(), "This device can't turn itself");
 }
 
 TEST_F(CapturePanelTest, TheSentenceGrowsWithItsPlaceAndIsNeverCutOff) {

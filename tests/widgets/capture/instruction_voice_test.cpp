@@ -107,10 +107,5 @@ TEST(SystemSpeaker, AnswersWhetherItHasAVoice) {
   speaker->stop();
 }
 
-TEST(SystemSpeaker, IsNotStartedByStopping) {
-  QObject owner;
-  makeSystemSpeaker(QLocale(QLocale::German), &owner)->stop();
-}
-
 }  // namespace
 }  // namespace hexoderm

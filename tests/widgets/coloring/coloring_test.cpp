@@ -80,11 +80,5 @@ TEST(Coloring, TitlesNameTheUnit) {
   EXPECT_EQ(patchTitle(Coloring::BodyPart), "body part");
 }
 
-TEST(Coloring, SaysWhyCellsCannotBeColoured) {
-  EXPECT_EQ(whyNoColoring(Coloring::BodyPart, true), "");
-  EXPECT_EQ(whyNoColoring(Coloring::BodyPart, false), "The skin does not say which body part its cells are on");
-  EXPECT_EQ(whyNoColoring(Coloring::Patch, false), "");
-}
-
 }  // namespace
 }  // namespace hexoderm

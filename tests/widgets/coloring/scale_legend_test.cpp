@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <QLocale>
-#include <QSignalSpy>
 #include <limits>
 
 namespace hexoderm {
@@ -75,27 +74,6 @@ TEST(ScaleLegend, BinsAreSaidWithTheirValuesAndCells) {
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_EQ(valueWithUnit(0.25, legend.range, Coloring::PositionUncertainty), "0,25 mm");
   QLocale::setDefault(QLocale::system());
-}
-
-TEST(ScaleRanges, KeepsARangeForEachColouringUntilItIsReleased) {
-  ScaleRanges ranges;
-  int changes = 0;
-  Coloring last = Coloring::Residual;
-  QObject::connect(&ranges, &ScaleRanges::changed, &ranges, [&](Coloring changed) {
-    ++changes;
-    last = changed;
-  });
-  EXPECT_EQ(ranges.fixed(Coloring::Bend), std::nullopt);
-  ranges.fix(Coloring::Bend, {-5, 5});
-  EXPECT_EQ(ranges.fixed(Coloring::Bend), (ColorRange{-5, 5}));
-  EXPECT_EQ(ranges.fixed(Coloring::Twist), std::nullopt);
-  EXPECT_EQ(last, Coloring::Bend);
-  ranges.fix(Coloring::Bend, {-5, 5});
-  EXPECT_EQ(changes, 1) << "nothing has changed";
-  ranges.release(Coloring::Bend);
-  ranges.release(Coloring::Bend);
-  EXPECT_EQ(changes, 2);
-  EXPECT_EQ(ranges.fixed(Coloring::Bend), std::nullopt);
 }
 
 TEST(ScaleRanges, TakesNoRangeThatIsNone) {

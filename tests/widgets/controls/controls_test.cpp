@@ -2,7 +2,6 @@
 
 #include "tests/support/qt_wait.h"
 #include "widgets/controls/action_button.h"
-#include "widgets/controls/column_layout.h"
 #include "widgets/controls/elided_label.h"
 #include "widgets/controls/message_bar.h"
 #include "widgets/controls/notice_stack.h"
@@ -11,9 +10,6 @@
 
 #include <gtest/gtest.h>
 #include <QSignalSpy>
-#include <memory>
-#include <set>
-#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -31,75 +27,6 @@ TEST(ActionButton, ATextThatIsWiderThanItsPlaceStandsInSeveralLines) {
   EXPECT_EQ(button.sizeHint(), whole);
 }
 
-class ColumnLayoutTest : public testing::Test {
- protected:
-  ColumnLayoutTest() {
-    auto* layout = new ColumnLayout(200, &widget_);
-    for (int k = 0; k < 6; ++k) {
-      parts_.push_back(new QWidget);
-      parts_.back()->setFixedHeight(100);
-      layout->addWidget(parts_.back());
-    }
-    layout->setContentsMargins(0, 0, 0, 0);
-    widget_.show();
-    EXPECT_TRUE(test::waitUntilExposed(widget_));
-  }
-  std::size_t columnsAt(int width) {
-    widget_.resize(width, 1000);
-    widget_.layout()->setGeometry(widget_.rect());
-    std::set<int> columns;
-    for (const QWidget* part : parts_) columns.insert(part->x());
-    return columns.size();
-  }
-
-  QWidget widget_;
-  std::vector<QWidget*> parts_;
-};
-
-TEST_F(ColumnLayoutTest, HasAsManyColumnsAsThereIsRoomForAndThreeAtMost) {
-  EXPECT_EQ(columnsAt(250), 1U);
-  EXPECT_EQ(columnsAt(500), 2U);
-  EXPECT_EQ(columnsAt(800), 3U);
-  EXPECT_EQ(columnsAt(3000), 3U);
-}
-
-TEST_F(ColumnLayoutTest, GoesDownOneColumnAndThenDownTheNext) {
-  ASSERT_EQ(columnsAt(500), 2U);
-  for (std::size_t k = 1; k < parts_.size(); ++k) {
-    if (parts_[k]->x() == parts_[k - 1]->x()) {
-      EXPECT_GT(parts_[k]->y(), parts_[k - 1]->geometry().bottom());
-    } else {
-      EXPECT_GT(parts_[k]->x(), parts_[k - 1]->geometry().right());
-    }
-  }
-  EXPECT_LT(widget_.layout()->heightForWidth(500), widget_.layout()->heightForWidth(250) * 2 / 3);
-}
-
-TEST_F(ColumnLayoutTest, WhatIsHiddenTakesNoRoom) {
-  const int all = widget_.layout()->heightForWidth(250);
-  parts_[2]->hide();
-  EXPECT_LE(widget_.layout()->heightForWidth(250), all - 100);
-}
-
-const QString kLong =
-    QStringLiteral("A sentence about a cell, its links and its poses that goes on and on. ").repeated(6);
-
-TEST(ElidedLabel, IsAsHighAndAsNarrowAsBeforeWhateverItSays) {
-  for (const int lines : {1, 2}) {
-    ElidedLabel label(lines);
-    label.resize(300, label.sizeHint().height());
-    label.setText("Short");
-    const int height = label.heightForWidth(300);
-    const QSize least = label.minimumSizeHint();
-    EXPECT_FALSE(label.isElided());
-    label.setText(kLong);
-    EXPECT_EQ(label.heightForWidth(300), height);
-    EXPECT_EQ(label.minimumSizeHint(), least);
-    EXPECT_TRUE(label.isElided());
-    EXPECT_EQ(label.text(), kLong) << "the whole is still there";
-  }
-}
-
 TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
   const QString text = "Usable: so many millimetres at the worst cell";
   ElidedLabel one(1);
@@ -112,11 +39,8 @@ TEST(ElidedLabel, TwoLinesHoldMoreThanOne) {
   EXPECT_FALSE(two.isElided());
 }
 
-TEST(NoticeStack, LiesOverTheContentAndMovesNothing) {
+TEST(NoticeStack, HasOneNoticeAboveTheOtherInsideOfItsHost) {
   QWidget host;
-  auto* layout = new QVBoxLayout(&host);
-  auto* content = new QWidget;
-  layout->addWidget(content);
   auto* notices = new NoticeStack(&host);
   auto* message = new MessageBar;
   auto* other = new MessageBar;
@@ -125,26 +49,16 @@ TEST(NoticeStack, LiesOverTheContentAndMovesNothing) {
   host.resize(700, 500);
   host.show();
   ASSERT_TRUE(test::waitUntilExposed(host));
-  const QRect before = content->geometry();
   EXPECT_FALSE(notices->isVisible());
-
   message->showMessage(Tone::Bad, QStringLiteral("Something went wrong with a file whose name is long. ").repeated(8));
-  EXPECT_TRUE(message->isVisible());
-  test::letTurnsPass();
-  EXPECT_EQ(content->geometry(), before);
-  EXPECT_EQ(host.size(), QSize(700, 500));
-  EXPECT_TRUE(host.rect().contains(notices->geometry()));
-  EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "the whole text is seen";
-  EXPECT_GT(notices->geometry().top(), host.height() / 3);
-
   other->showMessage(Tone::Good, "Saved.");
-  test::letTurnsPass();
-  EXPECT_LT(other->geometry().bottom(), message->geometry().top()) << "one above the other";
-  EXPECT_TRUE(host.rect().contains(notices->geometry()));
-
-  host.resize(500, 400);
-  test::letTurnsPass();
-  EXPECT_TRUE(host.rect().contains(notices->geometry()));
+  for (const QSize& size : {QSize(700, 500), QSize(500, 400)}) {
+    host.resize(size);
+    test::letTurnsPass();
+    EXPECT_TRUE(host.rect().contains(notices->geometry()));
+    EXPECT_LT(other->geometry().bottom(), message->geometry().top());
+    EXPECT_GE(message->height(), message->heightForWidth(message->width())) << "the whole text is seen";
+  }
   message->hide();
   other->hide();
   EXPECT_FALSE(notices->isVisible());
@@ -165,17 +79,6 @@ TEST(Selection, WhatIsSoughtIsPickedFirst) {
   EXPECT_EQ(changed.count(), 1);
 }
 
-TEST(Selection, PickingSeeksNothing) {
-  Selection selection;
-  QSignalSpy sought(&selection, &Selection::sought);
-  selection.selectCell(CellId(7));
-  selection.selectLink({CellId(2), PortNumber(1)}, {CellId(1), PortNumber(3)});
-  EXPECT_EQ(sought.count(), 0);
-  selection.seekLink({CellId(5), PortNumber(1)}, {CellId(4), PortNumber(3)});
-  EXPECT_EQ(sought.count(), 1);
-  EXPECT_EQ(selection.link()->first.cell, CellId(4)) << "the smaller first";
-}
-
 class ViewMarkTest : public testing::Test {
  protected:
   ViewMarkTest() : mark_(new ViewMark(&view_)) {
@@ -192,11 +95,6 @@ class ViewMarkTest : public testing::Test {
   QWidget view_;
   ViewMark* mark_;
 };
-
-TEST_F(ViewMarkTest, IsNotThereUntilSomethingIsMarked) {
-  EXPECT_FALSE(mark_->isVisible());
-  EXPECT_EQ(at(1, 150), QColor(Qt::black));
-}
 
 TEST_F(ViewMarkTest, AFrameIsSeenOnAllSidesAndTheMiddleIsFree) {
   mark_->setContent(ViewMark::Content{Tone::Bad, "No readings", true, false});

@@ -2,9 +2,7 @@
 #include "widgets/style/palette.h"
 
 #include <gtest/gtest.h>
-#include <QtTest>
 #include <QtWidgets>
-#include <optional>
 
 namespace hexoderm {
 namespace {
@@ -27,30 +25,6 @@ TEST(PlaceBeside, IsNowhereWhereThereIsNoRoom) {
   EXPECT_TRUE(placeBeside({160, 120}, {260, 190}, QRect(0, 0, 320, 240)).isNull());
   EXPECT_FALSE(placeBeside({160, 120}, {260, 60}, QRect(0, 0, 320, 240)).isNull());
   EXPECT_TRUE(placeBeside({10, 10}, {400, 20}, QRect(0, 0, 320, 240)).isNull());
-}
-
-TEST(FigureCard, AKeptOneLeadsToTheNeighbours) {
-  QWidget view;
-  view.resize(640, 480);
-  FigureCard card(FigureCard::Kind::Kept, &view);
-  card.setContent("<b>Cell 1</b><br>Origin of patch 1", "<b>bend: 3.00°</b>",
-                  {{CellId(4), "link to 4"}, {CellId(9), "link to 9"}});
-  std::optional<CellId> chosen;
-  QObject::connect(&card, &FigureCard::neighborChosen, &card, [&](CellId cell) { chosen = cell; });
-  QSignalSpy closed(&card, &FigureCard::closed);
-  auto* nine = card.findChild<QToolButton*>("neighbor9");
-  ASSERT_NE(nine, nullptr);
-  EXPECT_EQ(nine->toolTip(), "link to 9");
-  EXPECT_FALSE(nine->accessibleName().isEmpty());
-  EXPECT_NE(nine->focusPolicy() & Qt::TabFocus, 0) << "reached by the keyboard";
-  nine->click();
-  EXPECT_EQ(chosen, CellId(9));
-  // Another cell has other neighbours, and fewer.
-  card.setContent("<b>Cell 9</b>", {}, {{CellId(1), {}}});
-  EXPECT_TRUE(nine->isHidden());
-  EXPECT_FALSE(card.findChild<QToolButton*>("neighbor1")->isHidden());
-  card.findChild<QToolButton*>("closeFigures")->click();
-  EXPECT_EQ(closed.count(), 1);
 }
 
 TEST(FigureCard, IsAPlateInTheColoursOfTheTheme) {

@@ -74,16 +74,6 @@ TEST_F(GraphColorsTest, CellsAreColouredByTheirUncertaintyAndLinksGoGrey) {
   EXPECT_GT(countColor(image(), cell(9), 12, Colors::of(Theme::Light).cell_fill), 60) << "not known is no figure";
 }
 
-TEST_F(GraphColorsTest, CellsAreColouredByPatchAndByHowTheyWerePlaced) {
-  show(sampleTwoPatches());
-  view_.setColoring(Coloring::Patch);
-  EXPECT_GT(countColor(image(), cell(2), 12, toQColor(classColors(Theme::Light)[0])), 60);
-  EXPECT_GT(countColor(image(), cell(23), 12, toQColor(classColors(Theme::Light)[1])), 60);
-  view_.setColoring(Coloring::PlacedBy);
-  EXPECT_GT(countColor(image(), cell(22), 12, toQColor(classColors(Theme::Light)[1])), 60) << "placed by its links";
-  EXPECT_GT(countColor(image(), cell(21), 12, toQColor(classColors(Theme::Light)[0])), 60);
-}
-
 TEST_F(GraphColorsTest, BodyPartsCanBeChosenWhereTheyAreKnown) {
   show(sampleTwoPatches());
   EXPECT_FALSE(colorAction("body part")->isEnabled());

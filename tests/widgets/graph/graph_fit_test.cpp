@@ -7,7 +7,6 @@
 namespace hexoderm {
 namespace {
 
-constexpr QSize kView(500, 360);
 constexpr QSize kButton(120, 24);
 
 TEST(GraphFit, CoversNoCaptionOfAPatchWithTheButton) {
@@ -23,30 +22,6 @@ TEST(GraphFit, CoversNoCaptionOfAPatchWithTheButton) {
       }
     }
   }
-}
-
-TEST(GraphFit, TheButtonTakesNoHeightFromASkinThatLeavesAPlaceAtTheTop) {
-  // The arms of the cross leave one between them.
-  const GraphScene scene(sampleX17());
-  const GraphFit alone(scene, kView, {});
-  const GraphFit beside(scene, kView, {kButton, nullptr, 0});
-  EXPECT_EQ(beside.camera.scale, alone.camera.scale);
-  EXPECT_EQ(beside.camera.center, alone.camera.center);
-}
-
-TEST(GraphCamera, ZoomsAboutAPointAndPansNoFurtherThanNeeded) {
-  GraphCamera camera{{0.1, 0.2}, 1000, QSizeF(kView)};
-  const QPointF fixed = camera.toSheet({100, 50});
-  camera.zoomTo(2500, {100, 50});
-  EXPECT_NEAR(camera.toScreen(fixed).x(), 100, 1e-9);
-  EXPECT_NEAR(camera.toScreen(fixed).y(), 50, 1e-9);
-  const QPointF center = camera.center;
-  camera.bringIntoView(camera.toSheet({3, 3}), 40);
-  EXPECT_EQ(camera.center, center) << "it is in view, although near the edge";
-  const QPointF outside = camera.toSheet({-200, 100});
-  camera.bringIntoView(outside, 40);
-  EXPECT_NEAR(camera.toScreen(outside).x(), 40, 1e-9);
-  EXPECT_NEAR(camera.toScreen(outside).y(), 100, 1e-9);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "widgets/graph/graph_picture.h"
 
+#include "hexoderm/base/file.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/picture_difference.h"
 
@@ -90,9 +91,7 @@ TEST(GraphPicture, IsWrittenAsShapesOrAsPixels) {
   const GraphPicture picture = pictureOf(sampleX17(), Coloring::LinkQuality, {}, QRectF(10, 170, 280, 40));
   const QString svg = QDir(folder.path()).filePath("graph.svg");
   ASSERT_TRUE(picture.save(svg));
-  QFile file(svg);
-  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-  const QByteArray text = file.readAll();
+  const QByteArray text = QByteArray::fromStdString(readFile(svg.toStdString()));
   EXPECT_TRUE(text.contains("<svg"));
   EXPECT_FALSE(text.contains("<image")) << "shapes can be enlarged";
   EXPECT_GE(text.count("<polygon") + text.count("<path"), 17);

@@ -183,33 +183,27 @@ TEST_F(GraphViewTest, ArrowKeysReachOtherPatches) {
   EXPECT_LT(selection_.cell().value(), CellId(20));
 }
 
-TEST_F(GraphViewTest, TypingDigitsFindsACell) {
-  show(sampleX17());
-  auto* field = test::part<QLineEdit>(view_);
-  EXPECT_FALSE(field->isVisible());
-  QTest::keyClick(&view_, Qt::Key_1);
-  EXPECT_TRUE(field->isVisible());
-  EXPECT_EQ(field->text(), "1");
-  QTest::keyClicks(field, "3x");
-  EXPECT_EQ(field->text(), "13");
-  EXPECT_EQ(selection_.cell(), CellId(13));
-  QTest::keyClicks(field, "9");
-  EXPECT_EQ(selection_.cell(), CellId(13));  // there is no cell 139: said, not jumped
-  QTest::keyClick(field, Qt::Key_Escape);
-  EXPECT_FALSE(field->isVisible());
-}
-
-TEST_F(GraphViewTest, CtrlFOpensTheFieldAndTheFoundCellIsBroughtIntoView) {
+TEST_F(GraphViewTest, TypingDigitsOrCtrlFFindsACellAndBringsItIntoView) {
   show(sampleSheet(30, 30));
   wheel(cell(1), 2400);
   EXPECT_FALSE(view_.rect().contains(cell(900)));
-  QTest::keyClick(&view_, Qt::Key_F, Qt::ControlModifier);
-  auto* field = view_.findChild<QLineEdit*>();
-  QTest::keyClicks(field, "900");
-  QTest::keyClick(field, Qt::Key_Return);
+  auto* field = test::part<QLineEdit>(view_);
   EXPECT_FALSE(field->isVisible());
+  QTest::keyClick(&view_, Qt::Key_9);
+  EXPECT_TRUE(field->isVisible());
+  EXPECT_EQ(field->text(), "9");
+  QTest::keyClicks(field, "00x");
+  EXPECT_EQ(field->text(), "900");
   EXPECT_EQ(selection_.cell(), CellId(900));
   EXPECT_TRUE(view_.rect().contains(cell(900)));
+  QTest::keyClicks(field, "1");
+  EXPECT_EQ(selection_.cell(), CellId(900));  // there is no cell 9001: said, not jumped
+  QTest::keyClick(field, Qt::Key_Escape);
+  EXPECT_FALSE(field->isVisible());
+  QTest::keyClick(&view_, Qt::Key_F, Qt::ControlModifier);
+  EXPECT_TRUE(field->isVisible());
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_FALSE(field->isVisible());
 }
 
 TEST_F(GraphViewTest, TellsScreenReadersWhatItShowsAndWhatIsPicked) {
@@ -220,21 +214,6 @@ TEST_F(GraphViewTest, TellsScreenReadersWhatItShowsAndWhatIsPicked) {
   selection_.selectCell(CellId(9));
   EXPECT_THAT(view_.accessibleDescription(), HasText("Picked: cell 9"));
   EXPECT_EQ(view_.focusPolicy(), Qt::StrongFocus);
-}
-
-TEST_F(GraphViewTest, LinksOfManyCellsAreSeenWhereThereIsNoRoomBesideTheCells) {
-  view_.resize(260, 160);
-  show(sampleSheet(100, 100));
-  ASSERT_TRUE(test::waitUntil([&] { return drawnPixels(image()) > 0; }));
-  const QImage picture = image();
-  const QRgb dots = Colors::of(Theme::Light).text_muted.rgb();
-  int of_dots = 0;
-  int others = 0;
-  const QRect middle(picture.rect().center() - QPoint(20, 20), QSize(40, 40));
-  for (int x = middle.left(); x <= middle.right(); ++x) {
-    for (int y = middle.top(); y <= middle.bottom(); ++y) ++(picture.pixel(x, y) == dots ? of_dots : others);
-  }
-  EXPECT_LT(of_dots, others / 4);
 }
 
 TEST_F(GraphViewTest, DrawsTenThousandCellsAtEveryZoomAndPicksAmongThem) {

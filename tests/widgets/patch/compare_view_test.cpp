@@ -108,12 +108,6 @@ TEST_F(CompareViewTest, ArrowsAreEnlargedAsFarAsTheSliderSays) {
   EXPECT_EQ(view.factor(), std::nullopt);
 }
 
-TEST_F(CompareViewTest, WithoutAnythingBeforeItSaysWhatToDo) {
-  view.setContent({nullptr, content.now, nullptr});
-  view.setSources({}, 0, "There is nothing to compare with yet.");
-  EXPECT_EQ(find<QLabel>("compareSummary")->text(), "There is nothing to compare with yet.");
-}
-
 TEST_F(CompareViewTest, WhatIsPickedOnOneSideIsPickedOnBoth) {
   show();
   const QImage before = view.before().screenshot();

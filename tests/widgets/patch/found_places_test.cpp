@@ -8,7 +8,6 @@ namespace hexoderm {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 constexpr std::size_t kMany = 100;
 
@@ -24,46 +23,35 @@ const LinkEnd kThree{CellId(3), PortNumber(1)};
 const LinkEnd kFour{CellId(4), PortNumber(2)};
 const FoundPlace kLinkPlace{{std::nullopt, std::pair(kThree, kFour)}, Severity::Warning};
 
-TEST(FoundPlaces, ErrorsComeFirst) {
-  const std::vector<Finding> findings = {atCell(FindingCode::NoisySensor, 2),
-                                         atLink(FindingCode::LinkDoesNotClose, kThree, kFour),
-                                         atCell(FindingCode::DeadSensor, 9), atCell(FindingCode::DeadAxis, 7)};
-  EXPECT_THAT(foundPlaces(findings, kMany), ElementsAre(cellPlace(9, Severity::Error), cellPlace(7, Severity::Error),
-                                                        cellPlace(2, Severity::Warning), kLinkPlace));
-  EXPECT_THAT(foundPlaces(findings, 2), ElementsAre(cellPlace(9, Severity::Error), cellPlace(7, Severity::Error)));
-}
-
-TEST(FoundPlaces, ACellIsThereOnceWithTheWorstThatWasFound) {
-  EXPECT_THAT(foundPlaces(std::vector{atCell(FindingCode::NoisySensor, 5), atCell(FindingCode::DeadSensor, 5)}, kMany),
-              ElementsAre(cellPlace(5, Severity::Error)));
-}
-
-TEST(FoundPlaces, ALinkThatFollowsFromItsCellIsNotThere) {
-  EXPECT_THAT(
-      foundPlaces(std::vector{atLink(FindingCode::LinkDoesNotClose, kThree, kFour), atCell(FindingCode::DeadSensor, 4)},
-                  kMany),
-      ElementsAre(cellPlace(4, Severity::Error)));
-}
-
-TEST(FoundPlaces, ALinkIsThereOnceFromWhicheverEnd) {
-  EXPECT_THAT(foundPlaces(std::vector{atLink(FindingCode::LinkDoesNotClose, kThree, kFour),
-                                      atLink(FindingCode::LinkNotRigid, kFour, kThree)},
-                          kMany),
-              ElementsAre(kLinkPlace));
-}
-
-TEST(FoundPlaces, BothOfTwoCellsThatWereTakenForEachOtherAreThere) {
-  EXPECT_THAT(foundPlaces(std::vector{makeFinding(FindingCode::SwappedReadings, {}, {CellId(2), CellId(3)})}, kMany),
-              ElementsAre(cellPlace(2, Severity::Error), cellPlace(3, Severity::Error)));
-}
-
-TEST(FoundPlaces, NotesAndWhatIsFoundOfTheWholeSkinAreNot) {
-  EXPECT_THAT(
-      foundPlaces(std::vector{atCell(FindingCode::MissingSamples, 1),
-                              makeFinding(FindingCode::SensorsUnlikeModel, {}, {CellId(1), CellId(2), CellId(3)}),
-                              makeFinding(FindingCode::TooFewDirections, {})},
-                  kMany),
-      IsEmpty());
+TEST(FoundPlaces, AreThoseOfErrorsAndWarningsOfACellOrALinkTheWorstFirst) {
+  const Finding does_not_close = atLink(FindingCode::LinkDoesNotClose, kThree, kFour);
+  const std::vector<Finding> mixed = {atCell(FindingCode::NoisySensor, 2), does_not_close,
+                                      atCell(FindingCode::DeadSensor, 9), atCell(FindingCode::DeadAxis, 7)};
+  const FoundPlace nine = cellPlace(9, Severity::Error);
+  const FoundPlace seven = cellPlace(7, Severity::Error);
+  EXPECT_THAT(foundPlaces(mixed, 2), ElementsAre(nine, seven));
+  const struct {
+    const char* name;
+    std::vector<Finding> findings;
+    std::vector<FoundPlace> places;
+  } cases[] = {
+      {"errors come first", mixed, {nine, seven, cellPlace(2, Severity::Warning), kLinkPlace}},
+      {"a cell is there once, with the worst",
+       {atCell(FindingCode::NoisySensor, 9), atCell(FindingCode::DeadSensor, 9)},
+       {nine}},
+      {"a link that follows from its cell",
+       {does_not_close, atCell(FindingCode::DeadSensor, 4)},
+       {cellPlace(4, Severity::Error)}},
+      {"a link from both ends", {does_not_close, atLink(FindingCode::LinkNotRigid, kFour, kThree)}, {kLinkPlace}},
+      {"two cells that were taken for each other",
+       {makeFinding(FindingCode::SwappedReadings, {}, {CellId(7), CellId(9)})},
+       {seven, nine}},
+      {"notes, and what is found of the whole skin",
+       {atCell(FindingCode::MissingSamples, 1), makeFinding(FindingCode::TooFewDirections, {}),
+        makeFinding(FindingCode::SensorsUnlikeModel, {}, {CellId(1), CellId(2), CellId(3)})},
+       {}},
+  };
+  for (const auto& [name, findings, places] : cases) EXPECT_EQ(foundPlaces(findings, kMany), places) << name;
 }
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include "hexoderm/base/se3.h"
-#include "tests/support/picture_counter.h"
 #include "tests/support/picture_difference.h"
 #include "tests/support/random_vector.h"
 #include "tests/widgets/patch/patch_view_fixture.h"
@@ -76,25 +75,6 @@ class PartMotionTest : public PatchViewFixture {
   QMetaObject::Connection kept =
       QObject::connect(&view, &PatchView::turnRequested, [this](const Eigen::Vector3d& up) { asked.push_back(up); });
 };
-
-TEST_F(PartMotionTest, APartThatIsHeldIsNotDrawnAgainAndAgain) {
-  std::mt19937 random(3);
-  std::normal_distribution<double> tremor(0, 0.5 * kDegree);
-  const auto hold = [&](int readings) {
-    for (int k = 0; k < readings; ++k) {
-      turnTo(expSO3(Eigen::Vector3d(tremor(random), tremor(random), tremor(random))) * Eigen::Vector3d::UnitY());
-      read(readingsOf({{CellId(1), {0.01 * k, 0, 1}}}));
-      test::letTurnsPass();
-    }
-  };
-  hold(20);  // until it has come to rest
-  const test::PictureCounter drawn(*canvas);
-  hold(60);
-  const int at_rest = drawn.count();
-  EXPECT_LT(at_rest, 12) << "each picture is drawn once more, with smooth edges";
-  turnTo(Eigen::Vector3d::UnitX());
-  EXPECT_TRUE(test::waitUntil([&] { return drawn.count() > at_rest; })) << "the part was turned";
-}
 
 TEST_F(PartMotionTest, GoingRoundAndBackGivesTheSamePicture) {
   turnTo(Eigen::Vector3d::UnitY());

@@ -2,7 +2,6 @@
 #include "widgets/patch/patch_legend_view.h"
 
 #include "tests/widgets/patch/patch_view_fixture.h"
-#include "widgets/scene/scene_corners.h"
 
 namespace hexoderm {
 namespace {
@@ -57,20 +56,6 @@ TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
   EXPECT_TRUE(legend().isVisible());
   EXPECT_FALSE(button()->isVisible());
   EXPECT_THAT(said(), testing::Not(HasText("from")));
-}
-
-TEST_F(PatchLegendViewTest, InANarrowViewTheTitleHasLinesOfItsOwnAndTheAxesTheirPlace) {
-  const int wide = legend().height();
-  view.resize(400, 400);
-  ASSERT_TRUE(test::waitUntil([&] { return legend().height() > wide; }));
-  EXPECT_LT(legend().width(), 400 - 2 * SceneCorners::kSize);
-  EXPECT_TRUE(view.rect().contains(legend().geometry()));
-  EXPECT_TRUE(legend().rect().contains(button()->geometry()));
-  EXPECT_GE(button()->geometry().top(), legend().fontMetrics().height()) << "the title stands above it";
-  // Higher than wide: above the axes, as wide as it likes.
-  view.resize(300, 640);
-  ASSERT_TRUE(test::waitUntil([&] { return legend().width() > 250; }));
-  EXPECT_LT(legend().geometry().bottom(), 640 - SceneCorners::kSize - SceneCorners::kBottom);
 }
 
 TEST_F(PatchLegendViewTest, ArrowKeysWalkThroughTheScale) {

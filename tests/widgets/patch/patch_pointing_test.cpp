@@ -5,6 +5,7 @@
 #include "tests/widgets/patch/patch_view_fixture.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/patch/patch_marks.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/style/palette.h"
 #include "widgets/style/scene_colors.h"
 #include "widgets/words/formatting.h"
@@ -122,19 +123,6 @@ TEST_F(PatchPointingTest, WhileTheSceneIsTurnedNothingIsPointedAt) {
   QTest::mouseRelease(canvas, Qt::LeftButton, {}, positionOf(CellId(1)) + QPoint(30, 8));
 }
 
-TEST_F(PatchPointingTest, InASmallViewTheCardIsShorterAndStillBesideTheMouse) {
-  view.resize(330, 250);
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->width() == 330; }));
-  view.drawNow();
-  for (const CellId cell : {CellId(1), CellId(6), CellId(8)}) {
-    const QPoint mouse = positionOf(cell);
-    ASSERT_TRUE(hoverUntil(mouse, [this] { return marks().hovered.isThere(); })) << cell;
-    EXPECT_TRUE(view.rect().contains(hoverCard()->geometry())) << cell;
-    EXPECT_FALSE(hoverCard()->geometry().contains(mouse)) << cell;
-    leave();
-  }
-}
-
 /// The largest contrast between two pixels on a line across the middle of each edge of the outline; the least of the
 /// edges.
 double leastContrastAcross(const QImage& picture, const QPolygonF& outline) {
@@ -147,17 +135,17 @@ double leastContrastAcross(const QImage& picture, const QPolygonF& outline) {
     const double length = std::hypot(along.x(), along.y());
     if (length < 6) continue;
     const QPointF across(along.y() / length, -along.x() / length);
-    Rgb darkest{1, 1, 1};
-    Rgb lightest{0, 0, 0};
+    // Contrasts to black; that between two colours is their quotient.
+    double darkest = 21;
+    double lightest = 1;
     for (double step = -6; step <= 6; step += 0.5) {
       const QPoint at = (ratio * (0.5 * (a + b) + step * across)).toPoint();
       if (!picture.valid(at)) continue;
-      const QColor color = picture.pixelColor(at);
-      const Rgb rgb = {color.redF(), color.greenF(), color.blueF()};
-      if (contrast(rgb, {0, 0, 0}) < contrast(darkest, {0, 0, 0})) darkest = rgb;
-      if (contrast(rgb, {0, 0, 0}) > contrast(lightest, {0, 0, 0})) lightest = rgb;
+      const double to_black = contrast(toRgb(picture.pixelColor(at)), {0, 0, 0});
+      darkest = std::min(darkest, to_black);
+      lightest = std::max(lightest, to_black);
     }
-    least = std::min(least, contrast(darkest, lightest));
+    least = std::min(least, lightest / darkest);
   }
   return least;
 }
@@ -328,8 +316,12 @@ TEST_F(PatchPointingTest, TheMetricsOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
   EXPECT_TRUE(figureCard()->text().startsWith(cellToolTip(*skin, CellId(6))));
   EXPECT_TRUE(view.rect().contains(figureCard()->geometry()));
   EXPECT_FALSE(figureCard()->geometry().intersects(marks().picked.line.boundingRect().toAlignedRect()));
-  figureCard()->findChild<QToolButton*>("neighbor10")->click();
+  auto* ten = test::part<QToolButton>(*figureCard(), "neighbor10");
+  EXPECT_FALSE(ten->accessibleName().isEmpty());
+  EXPECT_NE(ten->focusPolicy() & Qt::TabFocus, 0) << "reached by the keyboard";
+  ten->click();
   EXPECT_EQ(selection.cell(), CellId(10));
+  EXPECT_TRUE(ten->isHidden());
   EXPECT_TRUE(figureCard()->text().contains("<b>Cell 10</b>"));
   selection.selectLink({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)});
   EXPECT_TRUE(figureCard()->text().contains("<b>Link 1"));
@@ -340,6 +332,9 @@ TEST_F(PatchPointingTest, TheMetricsOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
   EXPECT_TRUE(figureCard()->isVisible());
   QTest::keyClick(&view, Qt::Key_Escape);
   EXPECT_FALSE(figureCard()->isVisible());
+  EXPECT_FALSE(view.areMetricsShown());
+  view.setMetricsShown(true);
+  test::part<QToolButton>(*figureCard(), "closeFigures")->click();
   EXPECT_FALSE(view.areMetricsShown());
 }
 
@@ -364,13 +359,8 @@ TEST_F(PatchPointingTest, TheCellThatAnInstructionSpeaksOfIsLitAndNamed) {
   const QImage told = view.screenshot();
   EXPECT_EQ(marks().told.tag, "cell 7");
   ASSERT_TRUE(marks().told.line.containsPoint(at, Qt::OddEvenFill));
-  const QColor accent = Colors::of(Theme::Light).accent;
-  const auto distanceToAccent = [&](const QImage& picture) {
-    const QColor color = picture.pixelColor(at * picture.devicePixelRatio() + QPoint(0, 9));
-    return std::abs(color.red() - accent.red()) + std::abs(color.green() - accent.green()) +
-           std::abs(color.blue() - accent.blue());
-  };
-  EXPECT_LT(distanceToAccent(told), distanceToAccent(before));
+  const QPoint on_cell = at * told.devicePixelRatio() + QPoint(0, 9);
+  EXPECT_NE(told.pixelColor(on_cell), before.pixelColor(on_cell));
   moment.told_cell.reset();
   view.setMoment(moment);
   EXPECT_FALSE(marks().told.isThere());

@@ -22,10 +22,7 @@ class PatchViewFixture : public testing::Test {
   }
 
   PatchControls& controls() { return *view.findChild<PatchControls*>(); }
-  void click(const QPoint& at) {
-    QTest::mousePress(canvas, Qt::LeftButton, {}, at);
-    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at);
-  }
+  void click(const QPoint& at) { QTest::mouseClick(canvas, Qt::LeftButton, {}, at); }
   void read(std::shared_ptr<const CellReadings> readings) {
     moment.readings = std::move(readings);
     view.setMoment(moment);

@@ -43,19 +43,6 @@ class PatchViewTest : public PatchViewFixture {
   PatchOverlays overlays;
 };
 
-TEST_F(PatchViewTest, IsSmoothedWhenItRestsAndNotWhileItIsResized) {
-  ASSERT_NO_FATAL_FAILURE(showAtRest());
-  const QImage small = canvas->picture();
-  view.resize(700, 500);
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->width() > 640; }));
-  const QImage rough = canvas->picture();
-  EXPECT_FALSE(canvas->isPictureSmoothed());
-  ASSERT_TRUE(test::waitUntil([this] { return canvas->isPictureSmoothed(); }));
-  EXPECT_EQ(canvas->picture().size(), rough.size());
-  EXPECT_NE(canvas->picture(), rough);
-  EXPECT_NE(rough.size(), small.size());
-}
-
 TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASmoothOne) {
   ASSERT_NO_FATAL_FAILURE(showAtRest());
   const test::PictureCounter drawn(*canvas);
@@ -68,16 +55,6 @@ TEST_F(PatchViewTest, SeveralSizesAndColoursOneAfterTheOtherMakeOnePictureAndASm
   EXPECT_TRUE(test::waitUntil([this] { return canvas->picture().width() > 640 && canvas->isPictureSmoothed(); }));
   test::letTurnsPass();
   EXPECT_LE(drawn.count(), 2);
-}
-
-TEST_F(PatchViewTest, AnotherPaletteOfTheSameThemeDrawsNothing) {
-  ASSERT_NO_FATAL_FAILURE(showAtRest());
-  const test::PictureCounter drawn(*canvas);
-  QPalette palette = view.palette();
-  palette.setColor(QPalette::Link, Qt::red);
-  view.setPalette(palette);
-  test::letTurnsPass();
-  EXPECT_EQ(drawn.count(), 0);
 }
 
 TEST_F(PatchViewTest, AnotherSizeShowsThePictureThereIsUntilItIsDrawn) {

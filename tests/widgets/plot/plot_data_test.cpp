@@ -83,12 +83,6 @@ TEST(PlotData, ReadingsAreMetricsAsLongAsThereAreSome) {
   EXPECT_DOUBLE_EQ(data.points[0].y, 0.9);
 }
 
-TEST(PlotData, WithoutASkinThereIsNothing) {
-  const PlotData data = makePlotData(nullptr, {}, {}, {});
-  EXPECT_TRUE(data.points.empty());
-  EXPECT_TRUE(data.bins.empty());
-}
-
 TEST(PlotData, ValuesAreWrittenWithThreeDigitsAndTheirUnit) {
   EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 0.8349), "0.835\u00a0mm");
   EXPECT_EQ(plotValueText(Coloring::PositionUncertainty, 12.349), "12.3\u00a0mm");

@@ -11,22 +11,6 @@
 namespace hexoderm {
 namespace {
 
-TEST(Brush, CellsAreKeptInOrderAndOnce) {
-  Selection selection;
-  QSignalSpy changed(&selection, &Selection::brushedChanged);
-  selection.brush({CellId(9), CellId(3), CellId(9)});
-  EXPECT_THAT(selection.brushed(), testing::ElementsAre(CellId(3), CellId(9)));
-  EXPECT_TRUE(selection.isBrushed(CellId(9)));
-  EXPECT_FALSE(selection.isBrushed(CellId(4)));
-  selection.brush({CellId(3), CellId(9)});
-  EXPECT_EQ(changed.count(), 1) << "nothing has changed";
-  selection.selectCell(CellId(4));
-  EXPECT_EQ(selection.brushed().size(), 2U) << "what is picked is another thing";
-  selection.clear();
-  EXPECT_TRUE(selection.brushed().empty());
-  EXPECT_EQ(changed.count(), 2);
-}
-
 class PlotViewTest : public testing::Test {
  protected:
   PlotViewTest() : view_(&selection_) {

@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/units.h"
 #include "tests/support/panel_on_screen.h"
-#include "widgets/tables/joint_table_view.h"
 
 namespace hexoderm {
 namespace {
@@ -69,13 +68,7 @@ TEST_F(PlacePanelTest, ListsAndFieldsAskForWhatTheyShow) {
   EXPECT_NEAR(added->x_l.x(), 0.0123, 1e-9);
   EXPECT_NEAR(added->sigma_m, 0.001, 1e-9);
 
-  int removed = -1;
-  QObject::connect(panel_, &PlacePanel::pointRemoved, [&](int index) { removed = index; });
   EXPECT_FALSE(find<QPushButton>("placeRemoveKnown")->isEnabled()) << "nothing is picked";
-  find<QListWidget>("placeKnownList")->setCurrentRow(0);
-  QTest::mouseClick(find<QPushButton>("placeRemoveKnown"), Qt::LeftButton);
-  EXPECT_EQ(removed, 0);
-
   std::optional<bool> by_surface;
   QObject::connect(panel_, &PlacePanel::surfaceChosen, [&](bool on) { by_surface = on; });
   QTest::keyClick(find<QCheckBox>("placeBySurface"), Qt::Key_Space);
@@ -101,49 +94,6 @@ TEST_F(PlacePanelTest, APlaceIsShownByPointingAndTakenByReturn) {
   QEvent leave(QEvent::Leave);
   QApplication::sendEvent(list->viewport(), &leave);
   EXPECT_EQ(previewed.back(), -1);
-}
-
-TEST_F(PlacePanelTest, AnglesThatAreTypedAreAskedForAndRefusedOnesSaid) {
-  PlaceStand stand = standOfTwoPatches();
-  EXPECT_FALSE(find<JointTableView>("placeJointTable")->isVisible()) << "no joints are known";
-  RobotJoint elbow;
-  elbow.name = "elbow";
-  elbow.type = JointType::Revolute;
-  stand.sheet.joints = {elbow};
-  stand.sheet.rows = {{PoseId(1), {}}, {PoseId(2), {}}};
-  panel_->setStand(stand);
-  auto* table = find<JointTableView>("placeJointTable");
-  EXPECT_TRUE(table->isVisible());
-  std::vector<TypedAngle> typed;
-  QString refused;
-  QObject::connect(panel_, &PlacePanel::anglesTyped, [&](const std::vector<TypedAngle>& angles) { typed = angles; });
-  QObject::connect(panel_, &PlacePanel::anglesRefused, [&](const QString& why) { refused = why; });
-  table->model()->setData(table->model()->index(1, 0), "90");
-  ASSERT_EQ(typed.size(), 1U);
-  EXPECT_EQ(typed[0].row, 1U);
-  table->model()->setData(table->model()->index(1, 0), "?");
-  EXPECT_THAT(refused.toStdString(), HasSubstr("is no number"));
-}
-
-TEST_F(PlacePanelTest, MovingByHandIsAModeThatIsOfferedWhereItIsPossible) {
-  PlaceStand stand = standOfTwoPatches();
-  panel_->setStand(stand);
-  auto* move = find<QPushButton>("placeMove");
-  EXPECT_FALSE(move->isEnabled());
-  EXPECT_FALSE(find<QPushButton>("placeLook")->isEnabled());
-  stand.can_move = stand.is_drawn = true;
-  panel_->setStand(stand);
-  std::vector<bool> asked;
-  int looks = 0;
-  QObject::connect(panel_, &PlacePanel::movingChanged, [&](bool moving) { asked.push_back(moving); });
-  QObject::connect(panel_, &PlacePanel::lookWanted, [&] { ++looks; });
-  QTest::keyClick(move, Qt::Key_Space);
-  EXPECT_TRUE(move->isChecked());
-  panel_->endMoving();
-  EXPECT_FALSE(move->isChecked());
-  EXPECT_THAT(asked, testing::ElementsAre(true)) << "what has ended elsewhere is not asked for";
-  QTest::mouseClick(find<QPushButton>("placeLook"), Qt::LeftButton);
-  EXPECT_EQ(looks, 1);
 }
 
 TEST_F(PlacePanelTest, ThePickedCellIsProposedForPoints) {

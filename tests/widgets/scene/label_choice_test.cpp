@@ -16,14 +16,14 @@ std::shared_ptr<const SceneContent> contentOf(Reconstruction skin) { return make
 
 /// Looks at `target` from this direction, with letters of so many pixels where it is (at 72 dpi).
 SceneSight looking(const SceneContent& content, const Eigen::Vector3d& target, const Eigen::Vector3d& from,
-                   double letters_px, bool parallel = true) {
+                   double letters_px) {
   SceneSight sight;
   sight.window = kWindow;
   sight.middle_px = {0.5 * kWindow[0], 0.5 * kWindow[1]};
   sight.back = from.normalized();
   sight.right = sight.back.unitOrthogonal();
   sight.up = sight.back.cross(sight.right);
-  sight.parallel = parallel;
+  sight.parallel = true;
   const double distance_m = 1;
   sight.eye = target + distance_m * sight.back;
   sight.pixels_per_m = letters_px / (0.52 * content.reconstruction->model->side_m);
@@ -55,18 +55,6 @@ TEST_F(LabelChoiceTest, EveryCellOfASmallSkinThatIsLargeEnoughHasItsId) {
   EXPECT_TRUE(chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 4)).empty()) << "too small to be read";
 }
 
-TEST_F(LabelChoiceTest, LettersAreAsLargeAsThereIsRoomInEvenSizes) {
-  show(sheetReconstruction(1, 1));
-  const auto fontFor = [&](double letters_px) {
-    const auto& labels = choice.choose(looking(*content, middle(), Eigen::Vector3d::UnitZ(), letters_px), {});
-    return labels.empty() ? 0 : labels.front().font_px;
-  };
-  EXPECT_EQ(fontFor(12.5), 12);
-  EXPECT_EQ(fontFor(6), 8) << "a little too little room is enough for the smallest";
-  EXPECT_EQ(fontFor(5), 0);
-  EXPECT_EQ(fontFor(100), 26);
-}
-
 TEST_F(LabelChoiceTest, ALongIdNeedsALargerCell) {
   DemoOptions lonely;
   lonely.arm_cells = 0;
@@ -85,22 +73,6 @@ TEST_F(LabelChoiceTest, OnlyFacesThatLookAtTheViewerHaveIds) {
   ASSERT_FALSE(ids.empty());
   for (const CellId id : ids) {
     EXPECT_GT(content->layout.find(id)->T_s_u.R.col(2).dot(sight.back), LabelChoice::kMinFacing) << "cell " << id;
-  }
-}
-
-TEST_F(LabelChoiceTest, NearCellsOfALargeSkinHaveIdsAndFarOnesHaveNone) {
-  show(sheetReconstruction(100, 100));
-  EXPECT_TRUE(chosen(looking(*content, middle(), Eigen::Vector3d::UnitZ(), 3)).empty());
-  // Along the sheet, so that one end of it is near.
-  SceneSight sight = looking(*content, middle(), Eigen::Vector3d(1, 0, 0.8), 1, false);
-  const double side_m = content->reconstruction->model->side_m;
-  sight.eye = content->layout.cells.back().T_s_u.t + 12 * side_m * sight.back;
-  sight.pixels_per_m = 600;
-  const auto& labels = choice.choose(sight, {});
-  ASSERT_FALSE(labels.empty());
-  EXPECT_LT(labels.size(), 5000U);
-  for (const PlacedLabel& label : labels) {
-    EXPECT_GE(0.52 * side_m * sight.scaleAt(label.depth_m), 0.6 * LabelChoice::kFonts.front());
   }
 }
 

@@ -95,26 +95,6 @@ TEST_P(PaletteOfTheme, TextOnAnyColourHasTheLargerContrast) {
   }
 }
 
-TEST_P(PaletteOfTheme, AStrokeLooksTheSameWhereverItIsDrawn) {
-  const auto inked = [&](EdgeQuality quality) {
-    QImage image(52, 12, QImage::Format_RGB32);
-    image.fill(colors_.panel);
-    QPainter painter(&image);
-    drawStroke(painter, linkStroke(quality, GetParam()), QLineF(0, 6, 52, 6), 4);
-    painter.end();
-    std::array<int, 2> count{};  // on the middle line, and above it
-    for (int x = 0; x < image.width(); ++x) {
-      count[0] += image.pixelColor(x, 5) != colors_.panel ? 1 : 0;
-      count[1] += image.pixelColor(x, 3) != colors_.panel ? 1 : 0;
-    }
-    return count;
-  };
-  EXPECT_EQ(inked(EdgeQuality::Fully), (std::array{52, 0}));
-  EXPECT_EQ(inked(EdgeQuality::Over), (std::array{0, 52})) << "two lines";
-  EXPECT_NEAR(inked(EdgeQuality::Partially)[0], 52 * 2.6 / 3.9, 6);
-  EXPECT_NEAR(inked(EdgeQuality::Undefined)[0], 52 * 1.0 / 2.2, 6);
-}
-
 TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {
   std::set<std::pair<int, bool>> styles;
   std::set<QString> words;
@@ -126,15 +106,6 @@ TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {
   }
   EXPECT_EQ(styles.size(), 4u);
   EXPECT_EQ(words.size(), 4u);
-}
-
-TEST_P(PaletteOfTheme, QtPaletteCarriesTheColours) {
-  const QPalette palette = qtPalette(GetParam());
-  EXPECT_EQ(palette.color(QPalette::Window), colors_.window);
-  EXPECT_EQ(palette.color(QPalette::Base), colors_.panel);
-  EXPECT_EQ(palette.color(QPalette::Text), colors_.text);
-  EXPECT_EQ(palette.color(QPalette::PlaceholderText), colors_.text_muted);
-  EXPECT_NE(palette.color(QPalette::Disabled, QPalette::Text), colors_.text);
 }
 
 TEST_P(PaletteOfTheme, StyleSheetIsFilledInAndUsesItsThemeOnly) {

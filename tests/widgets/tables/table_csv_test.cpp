@@ -92,19 +92,5 @@ TEST_F(MetricsTableTest, CopiesWhatIsShownInItsOrder) {
   EXPECT_TRUE(lines[1].startsWith("cell 10,"));
 }
 
-TEST_F(MetricsTableTest, HandsOverWhatIsToBeSavedAsItIsShownNow) {
-  SortedTable sorted(&table_);
-  QTableView view;
-  view.setModel(&sorted);
-  auto* actions = new CsvActions(&view, "table");
-  QSignalSpy asked(actions, &CsvActions::saveRequested);
-  sorted.sort(1, Qt::DescendingOrder);
-  view.findChild<QAction*>("actionSaveCsv")->trigger();
-  ASSERT_EQ(asked.count(), 1);
-  EXPECT_EQ(asked[0][0].toString(), "table");
-  EXPECT_EQ(asked[0][1].toByteArray(), tableAsCsv(sorted));
-  EXPECT_NE(tableAsCsv(sorted), tableAsCsv(table_));
-}
-
 }  // namespace
 }  // namespace hexoderm

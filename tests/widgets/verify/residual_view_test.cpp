@@ -25,10 +25,6 @@ class ResidualViewTest : public testing::Test {
     view_.show();
     EXPECT_TRUE(test::waitUntilExposed(view_));
   }
-  void clickItem(const QModelIndex& index) {
-    QTest::mouseClick(view_.matrix()->viewport(), Qt::LeftButton, Qt::NoModifier,
-                      view_.matrix()->visualRect(index).center());
-  }
   QImage keep(const QString& name) { return keepPicture(view_.grab().toImage(), name); }
 
   test::AppTheme theme_;
@@ -52,20 +48,6 @@ TEST_F(ResidualViewTest, TheMatrixHasARowALinkAndAColumnAPose) {
   const QByteArray csv = tableAsCsv(table);
   EXPECT_TRUE(csv.startsWith("Link,All (deg),Pose 1 (deg),")) << csv.left(60).toStdString();
   EXPECT_TRUE(csv.contains("\r\n1:1 – 2:4,"));
-}
-
-TEST_F(ResidualViewTest, PickingACellPicksItsLinkAndItsPose) {
-  view_.setReconstruction(sheetWithPoses(3, 3, 4));
-  std::vector<PoseId> poses;
-  QObject::connect(&view_, &ResidualView::posePicked, [&](PoseId pose) { poses.push_back(pose); });
-  clickItem(view_.matrix()->model()->index(1, 2));
-  ASSERT_TRUE(selection_.link().has_value());
-  EXPECT_EQ(selection_.link()->first.cell, CellId(1));
-  EXPECT_EQ(selection_.link()->second.cell, CellId(4));
-  ASSERT_FALSE(poses.empty());
-  EXPECT_EQ(poses.back(), PoseId(2));
-  QTest::keyClick(view_.matrix(), Qt::Key_Right);
-  EXPECT_EQ(poses.back(), PoseId(3));
 }
 
 TEST_F(ResidualViewTest, ALinkPickedElsewhereIsPickedHereAndDroppedAgain) {
@@ -108,16 +90,6 @@ TEST_F(ResidualViewTest, ColoursCanBeReadAndAreTheSameForEverySkin) {
   EXPECT_EQ(residualColor(0), viridis(0));
   EXPECT_EQ(residualColor(2), viridis(1));
   EXPECT_EQ(residualColor(30), viridis(1));
-}
-
-TEST_F(ResidualViewTest, LargeSkinsNeedNoMoreWidgetsThanSmallOnes) {
-  view_.setReconstruction(sheetWithPoses(3, 3, 4));
-  const auto widgets = view_.findChildren<QWidget*>().size();
-  for (const auto& [rows, columns, poses] : {std::tuple(36U, 35U, 6U), std::tuple(10U, 10U, 1000U)}) {
-    view_.setReconstruction(sheetWithPoses(rows, columns, poses));
-    view_.matrix()->viewport()->repaint();
-    EXPECT_EQ(view_.findChildren<QWidget*>().size(), widgets) << "a widget a cell would take minutes";
-  }
 }
 
 TEST_F(ResidualViewTest, MatrixAndPlotsAreDifferentPicturesInEachTheme) {

@@ -83,18 +83,6 @@ TEST(UserGuide, ReadsItsPageOnceWhenTheThemeChangesAndStaysWhereItIs) {
   EXPECT_EQ(read.count(), 1);
   EXPECT_EQ(bar->value(), 50);
   EXPECT_EQ(guide.currentPage(), "faults");
-  // A guide that is closed is read again when it is opened, and not before; an open one is read meanwhile.
-  guide.hide();
-  GuideWindow open;
-  open.show();
-  ASSERT_TRUE(test::waitUntilExposed(open));
-  QSignalSpy open_read(open.findChild<QTextBrowser*>("guidePage"), &QTextBrowser::sourceChanged);
-  applyTheme(Theme::Light);
-  ASSERT_TRUE(test::waitUntil([&] { return open_read.count() > 0; }));
-  QCoreApplication::processEvents();
-  EXPECT_EQ(read.count(), 1);
-  guide.show();
-  EXPECT_TRUE(test::waitUntil([&] { return read.count() == 2; }));
 }
 
 TEST(UserGuide, FindsWordsInThePageOnceAround) {

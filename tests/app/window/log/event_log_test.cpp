@@ -1,22 +1,16 @@
 // The log of events, in memory and in a file.
 #include "app/window/log/event_log.h"
+#include "hexoderm/base/file.h"
+#include "tests/support/qt_wait.h"
 
 #include <gmock/gmock.h>
 
-#include <QtTest>
-#include <QtWidgets>
 #include <thread>
 
 namespace hexoderm {
 namespace {
 
-constexpr int kPatience_ms = 120000;
-
-QByteArray contentOf(const QString& path) {
-  QFile file(path);
-  EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-  return file.readAll();
-}
+using test::kPatience_ms;
 
 TEST(EventLogTest, KeepsTheNewestLinesOfManyThreads) {
   EventLog log({});
@@ -58,8 +52,7 @@ TEST(EventLogTest, WritesAFileThatBeginsAnewWhenItIsFull) {
   EventLog log(folder.filePath("logs"));
   log.add(Severity::Error, "first\nof two lines");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
-  const QByteArray written = contentOf(log.filePath());
-  EXPECT_TRUE(written.contains("ERROR   first | of two lines\n")) << written.toStdString();
+  EXPECT_THAT(readFile(log.filePath().toStdString()), testing::HasSubstr("ERROR   first | of two lines\n"));
 
   const QString long_text(1000, 'x');
   for (int k = 0; k < 1500; ++k) {
@@ -94,10 +87,8 @@ TEST(EventLogTest, GoesOnWithoutAFileWhereNoneCanBeMade) {
   ASSERT_TRUE(in_the_way.remove());
   log.add(Severity::Info, "in the file again");
   ASSERT_TRUE(log.waitUntilWritten(kPatience_ms));
-  const QByteArray written = contentOf(log.filePath());
-  const int missing = written.indexOf("WARNING 2 lines are missing here");
-  EXPECT_GE(missing, 0) << written.toStdString();
-  EXPECT_GT(written.indexOf("INFO    in the file again"), missing) << written.toStdString();
+  EXPECT_THAT(readFile(log.filePath().toStdString()),
+              testing::ContainsRegex("WARNING 2 lines are missing here(.|\n)*INFO    in the file again"));
 }
 
 }  // namespace

@@ -281,11 +281,6 @@ TEST_F(ReportWindow, IsWrittenFromTheMenuAndAsksOnceForItsTitle) {
     click(form->findChild<QPushButton*>("reportTitleButton"));
     ASSERT_TRUE(waitUntilGone("reportTitleDialog"));
   }
-  press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-  typeIntoFileDialog("saveDialog", pathTo("demo.pdf"));
-  ASSERT_TRUE(waitForMessage("demo.pdf"));
-  EXPECT_GT(QFileInfo(pathTo("demo.pdf")).size(), 20000);
-
   const QString html = QString::fromStdString(readFile(pathTo("demo.html").toStdString()));
   EXPECT_GE(html.count("<figure>"), 6);
   EXPECT_THAT(textOf(html),

@@ -92,14 +92,6 @@ QImage pictureOf(QWidget& window) {
   return picture;
 }
 
-TEST(ThemeTest, PicturesOfTheStyleAreDecodedOnce) {
-  installStyle();
-  const QStyle& style = *QApplication::style();
-  EXPECT_EQ(style.standardIcon(QStyle::SP_DirIcon).cacheKey(), style.standardIcon(QStyle::SP_DirIcon).cacheKey());
-  EXPECT_NE(style.standardIcon(QStyle::SP_DirIcon).cacheKey(), style.standardIcon(QStyle::SP_FileIcon).cacheKey());
-  EXPECT_FALSE(style.standardIcon(QStyle::SP_DirIcon).isNull());
-}
-
 TEST(ThemeTest, WhatWasThereBeforeAChangeLooksLikeWhatIsMadeAfterIt) {
   installStyle();
   applyTheme(Theme::Dark);
