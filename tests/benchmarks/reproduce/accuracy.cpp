@@ -101,8 +101,8 @@ double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
     const CellId id = next.front();
     next.pop_front();
     const SE3 T_b_c = placed[id];
-    for (const NeighborReport& link : std::ranges::find(skin.neighbors(), id, &CellReport::id)->neighbors) {
-      if (link.cell.value() == 0 || placed.contains(link.cell)) continue;
+    for (const NeighborReport& link : linksOf(skin, id)) {
+      if (placed.contains(link.cell)) continue;
       const SE3 T_b_n = truePlacement(truth, link.cell);
       const Eigen::Vector3d t_c_n = neighborCentre(skin.model().port(link.port), skin.model().port(*link.cell_port),
                                                    T_b_c.R.transpose() * T_b_n.R, skin.options().link_law);

@@ -24,10 +24,10 @@ struct Case {
 };
 
 /// The link of a cell that leads away from the middle; of a leaf its only one.
-std::pair<LinkEnd, LinkEnd> outwardLink(const NeighborList& neighbors, CellId cell) {
+std::pair<LinkEnd, LinkEnd> outwardLink(const std::vector<NeighborReport>& links, CellId cell) {
   std::pair<LinkEnd, LinkEnd> ends;
-  for (const NeighborReport& link : std::ranges::find(neighbors, cell, &CellReport::id)->neighbors) {
-    if (link.cell.value() == 0 || link.cell < ends.second.cell) continue;
+  for (const NeighborReport& link : links) {
+    if (link.cell < ends.second.cell) continue;
     ends = {{cell, link.port}, {link.cell, *link.cell_port}};
   }
   return ends;
@@ -68,10 +68,9 @@ void runTrial(Tally& tally, const Case& what, std::size_t seed) {
   std::optional<CellPair> bad_link;
   bool is_leaf = false;
   if (what.cell.value() != 0) {
-    const SimulatedSkin healthy = makeSkin(skin_case, seed);
-    const auto [end, other] = outwardLink(healthy.neighbors(), what.cell);
-    is_leaf = std::ranges::count_if(std::ranges::find(healthy.neighbors(), what.cell, &CellReport::id)->neighbors,
-                                    [](const NeighborReport& link) { return link.cell.value() != 0; }) == 1;
+    const std::vector<NeighborReport> links = linksOf(makeSkin(skin_case, seed), what.cell);
+    const auto [end, other] = outwardLink(links, what.cell);
+    is_leaf = links.size() == 1;
     if (what.link) skin_case.link_faults.push_back({*what.link, end});
     if (what.sensor) skin_case.faults.push_back({*what.sensor, what.cell});
     // A leaf's broken sensor excuses its link.

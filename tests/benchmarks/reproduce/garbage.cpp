@@ -46,11 +46,6 @@ CellId faultyCell(SkinFault fault, std::size_t seed) {
   return CellId(static_cast<std::uint32_t>(1 + seed % kCells));
 }
 
-CellId firstNeighbor(const SimulatedSkin& skin, CellId cell) {
-  const auto& links = std::ranges::find(skin.neighbors(), cell, &CellReport::id)->neighbors;
-  return std::ranges::find_if(links, [](const NeighborReport& n) { return n.cell.value() != 0; })->cell;
-}
-
 void tryGarbage(Tally& tally, const Garbage& what, std::size_t seed) {
   SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
   std::set<CellId> guilty;
@@ -61,7 +56,7 @@ void tryGarbage(Tally& tally, const Garbage& what, std::size_t seed) {
     const CellFault& fault = skin_case.faults.front();
     guilty.insert(fault.cell);
     if (*what.cell_fault == SkinFault::Swapped || *what.cell_fault == SkinFault::Echo) {
-      guilty.insert(firstNeighbor(skin, fault.cell));
+      guilty.insert(linksOf(skin, fault.cell).front().cell);
     }
     if (*what.cell_fault != SkinFault::Echo) {
       const BestDetection best = bestDetection(skin, fault, what.poses);

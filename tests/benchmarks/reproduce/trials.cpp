@@ -44,6 +44,12 @@ SE3 truePlacement(const GroundTruth& truth, CellId cell) {
   return std::ranges::find(truth.cells, cell, &TrueCellPlacement::id)->T_b_u;
 }
 
+std::vector<NeighborReport> linksOf(const SimulatedSkin& skin, CellId cell) {
+  std::vector<NeighborReport> links = std::ranges::find(skin.neighbors(), cell, &CellReport::id)->neighbors;
+  std::erase_if(links, [](const NeighborReport& link) { return link.cell.value() == 0; });
+  return links;
+}
+
 std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m) {
   try {
     return evaluateSurface(*largestPatch(reconstruction), SurfaceKind::Cylinder, true_radius_m);

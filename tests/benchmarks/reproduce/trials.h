@@ -40,6 +40,8 @@ Session measure(SimulatedSkin& skin, const SkinCase& skin_case);
 SolverOptions papersMethod();
 
 SE3 truePlacement(const GroundTruth& truth, CellId cell);
+/// The reports of a cell that name a neighbour.
+std::vector<NeighborReport> linksOf(const SimulatedSkin& skin, CellId cell);
 /// Nothing where links taken for broken left too little of the skin.
 std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m);
 std::optional<LoopEvaluation> measureLoop(const SimulatedSkin& skin, const Reconstruction& reconstruction);
