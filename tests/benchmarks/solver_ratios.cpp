@@ -44,10 +44,9 @@ namespace {
 
 constexpr std::size_t kPoses = 3;
 
-/// Of a sheet that is about square.
-std::size_t rowsOf(std::size_t cells) { return static_cast<std::size_t>(std::sqrt(static_cast<double>(cells))); }
+/// About square.
 Session sheet(std::size_t cells, bool hand_held) {
-  const std::size_t rows = rowsOf(cells);
+  const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(cells)));
   return test::simulatedSession(
       test::with(test::bentSheet(rows, cells / rows, 3), &SimulatedSkinOptions::hand_held, hand_held), kPoses);
 }
@@ -202,6 +201,13 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
   compareWithBoost(*snapshot, tree, unit_ms);
 }
 
+void compareFactors(const SessionSnapshot& snapshot) {
+  const SolverOptions options;
+  const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, options);
+  const GlobalRefinement& joint = *solved->patches().front().joint();
+  compareFactors(joint.problem(), joint.solution().state);
+}
+
 /// For some seconds, from scratch.
 void solveAgainAndAgain(const SessionSnapshot& snapshot) {
   constexpr double kSeconds = 10;
@@ -240,6 +246,6 @@ int main(int argc, char** argv) {
   for (const std::size_t cells : sizes) {
     if (solve) compare(cells, hand_held, count_of_cores, unit_ms);
     std::cout << std::flush;
-    if (factor) compareFactors(rowsOf(cells), cells / rowsOf(cells));
+    if (factor) compareFactors(*sheet(cells, hand_held).snapshot());
   }
 }

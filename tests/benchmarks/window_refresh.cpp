@@ -15,7 +15,6 @@
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkNew.h>
-#include <QCommandLineParser>
 #include <QElapsedTimer>
 #include <QTextStream>
 #include <vector>
@@ -103,9 +102,12 @@ class Measurement {
   double process_ms_ = 0;
 };
 
-int measure(const QString& folder, std::size_t rows, std::size_t columns, int times) {
+int measure(const QString& folder) {
+  constexpr std::size_t kRows = 30;
+  constexpr std::size_t kColumns = 42;
+  constexpr int kTimes = 25;
   const QString file = folder + QStringLiteral("/large.hexo");
-  writeSessionStore(test::simulatedSession(test::bentSheet(rows, columns, 3), 4), file.toStdString());
+  writeSessionStore(test::simulatedSession(test::bentSheet(kRows, kColumns, 3), 4), file.toStdString());
   MainWindow window;
   window.resize(1440, 900);
   window.show();
@@ -113,11 +115,11 @@ int measure(const QString& folder, std::size_t rows, std::size_t columns, int ti
   window.openFile(file);
   if (!test::waitUntil([&] { return window.controller().isCurrent(); })) return 1;
   QTextStream out(stdout);
-  out << QStringLiteral("%1 cells; medians of %2 in ms\n").arg(rows * columns).arg(times)
+  out << QStringLiteral("%1 cells; medians of %2 in ms\n").arg(kRows * kColumns).arg(kTimes)
       << "solver  solved  result  picture  CPU of the window's thread  of all threads\n";
   Measurement measurement(window);
   for (const Solver solver : {Solver::Tree, Solver::Global}) {
-    const Refresh refresh = measurement.run(solver, times);
+    const Refresh refresh = measurement.run(solver, kTimes);
     if (refresh.picture.empty()) return 1;
     out << QString::fromUtf8(std::string(solverName(solver)).c_str()).leftJustified(6);
     for (const auto& [values, width] :
@@ -139,16 +141,5 @@ int main(int argc, char** argv) {
   const hexoderm::Newcomer newcomer;
   const QApplication application(argc, argv);
   hexoderm::applyTextFactor(1);
-  QCommandLineParser parser;
-  parser.addHelpOption();
-  const QCommandLineOption rows(QStringLiteral("rows"), QStringLiteral("Rows of the sheet."), QStringLiteral("N"),
-                                QStringLiteral("30"));
-  const QCommandLineOption columns(QStringLiteral("columns"), QStringLiteral("Its columns."), QStringLiteral("N"),
-                                   QStringLiteral("42"));
-  const QCommandLineOption times(QStringLiteral("times"), QStringLiteral("So many new means."), QStringLiteral("N"),
-                                 QStringLiteral("25"));
-  parser.addOptions({rows, columns, times});
-  parser.process(application);
-  return hexoderm::measure(newcomer.folder(), parser.value(rows).toULong(), parser.value(columns).toULong(),
-                           parser.value(times).toInt());
+  return hexoderm::measure(newcomer.folder());
 }

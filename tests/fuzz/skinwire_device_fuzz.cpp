@@ -18,10 +18,8 @@
 namespace {
 
 using namespace hexoderm;
-using fuzz::append;
 using fuzz::ByteView;
 using fuzz::FuzzInput;
-using fuzz::putNumber;
 using skinwire::Bytes;
 using skinwire::Command;
 using skinwire::Decoded;
@@ -33,6 +31,8 @@ constexpr unsigned kHasGoodBodies = 8;
 constexpr std::uint8_t kGuard = 0xA5;
 constexpr std::size_t kGuards = 16;
 
+Framing framingOf(skinwire_framing framing) { return framing == SKINWIRE_COBS ? Framing::Cobs : Framing::Length; }
+
 /// Bodies with their CRCs, in the framing; in a datagram only the last.
 Bytes assemble(skinwire_framing framing, FuzzInput& input) {
   Bytes bytes;
@@ -40,12 +40,8 @@ Bytes assemble(skinwire_framing framing, FuzzInput& input) {
     const Bytes body = fuzz::nextBody(input);
     if (framing == SKINWIRE_DATAGRAM) {
       bytes = body;
-    } else if (framing == SKINWIRE_COBS) {
-      append(skinwire::encodeCobs(body), bytes);
-      bytes.push_back(0);
     } else {
-      putNumber(body.size(), 4, bytes);
-      append(body, bytes);
+      fuzz::appendFrame(framingOf(framing), body, bytes);
     }
   }
   return bytes;
@@ -81,7 +77,7 @@ std::vector<Event> eventsOf(ByteView bytes, skinwire_framing framing, std::size_
 std::vector<Decoded> decodedByTheLibrary(ByteView bytes, skinwire_framing framing) {
   if (framing == SKINWIRE_DATAGRAM) return {skinwire::decodeBody(bytes)};
   std::vector<Decoded> all;
-  skinwire::FrameDecoder decoder(framing == SKINWIRE_COBS ? Framing::Cobs : Framing::Length);
+  skinwire::FrameDecoder decoder(framingOf(framing));
   decoder.feed(bytes);
   while (std::optional<Decoded> decoded = decoder.next()) all.push_back(std::move(*decoded));
   return all;

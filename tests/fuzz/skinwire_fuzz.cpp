@@ -21,10 +21,8 @@
 namespace {
 
 using namespace hexoderm;
-using fuzz::append;
 using fuzz::ByteView;
 using fuzz::FuzzInput;
-using fuzz::putNumber;
 using skinwire::Bytes;
 using skinwire::Decoded;
 using skinwire::DecodeOutcome;
@@ -179,14 +177,8 @@ Bytes assemble(Stream stream, FuzzInput& input) {
   std::uint64_t arrived_us = 0;
   while (!input.atEnd()) {
     const Bytes body = fuzz::nextBody(input);
-    if (stream == Stream::Cobs) {
-      append(skinwire::encodeCobs(body), bytes);
-      bytes.push_back(0);
-      continue;
-    }
-    if (stream == Stream::Recording) putNumber(arrived_us += 1000, 8, bytes);
-    putNumber(body.size(), 4, bytes);
-    append(body, bytes);
+    if (stream == Stream::Recording) fuzz::putNumber(arrived_us += 1000, 8, bytes);
+    fuzz::appendFrame(stream == Stream::Cobs ? Framing::Cobs : Framing::Length, body, bytes);
   }
   return bytes;
 }
@@ -195,7 +187,7 @@ std::vector<Decoded> readRecording(ByteView records) {
   static const fuzz::ScratchFile file("fuzz.skinrec");
   std::vector<Decoded> all;
   Bytes bytes = {'S', 'K', 'I', 'N', 'R', 'E', 'C', '1'};
-  append(records, bytes);
+  fuzz::append(records, bytes);
   file.write(fuzz::asText(bytes));
   RecordingReader reader(file.path());
   std::chrono::microseconds last{};

@@ -125,64 +125,50 @@ struct Stream {
 constexpr std::array<Stream, 4> kStreams = {
     {{kLength, Framing::Length}, {kCobs, Framing::Cobs}, {kLines, Framing::Lines}, {kDetected, Framing::Length}}};
 
-/// A stream that is described, and frames after that, each of which may be spoiled.
-struct Attack {
-  std::string_view name;
-  int frames;
-  skinwire::Message (*message)(Attacker&);
-  void (*spoil)(Bytes& frame, Attacker& attacker);
-  bool has_lengths = false;  ///< its frames have their lengths in front
-};
-
-Bytes madeOf(const Attack& attack, Attacker& attacker) {
-  const Stream stream = attack.has_lengths ? kStreams[attacker.chance(50) ? 0 : 3] : attacker.oneOf(kStreams);
-  Bytes input = {stream.head, attacker.byte()};
-  append(described(stream.framing), input);
-  for (int k = 0; k < attack.frames; ++k) {
-    Bytes frame = skinwire::encodeFrame(stream.framing, attack.message(attacker));
-    attack.spoil(frame, attacker);
-    append(frame, input);
-  }
-  return input;
-}
-
-skinwire::Message anything(Attacker& attacker) { return attacker.anything(); }
-skinwire::Message samples(Attacker& attacker) { return attacker.samples(); }
-/// Another skin, another model or another stream with nearly every message.
-skinwire::Message anotherSkin(Attacker& attacker) {
-  if (attacker.chance(50)) return attacker.samples();
-  if (attacker.chance(20)) return attacker.hello();
-  return attacker.topology();
-}
-
-void leaveWhole(Bytes& /*frame*/, Attacker& /*attacker*/) {}
 /// The length in front of a body is another one.
 void lieAboutItsLength(Bytes& frame, Attacker& attacker) {
   static constexpr std::array<std::uint32_t, 9> kLies = {0, 1, 5, 6, 7, 1U << 20U, 1U << 24U, UINT32_MAX, 0x7B7B7B7B};
-  if (!attacker.chance(20)) return;
   const std::uint32_t lie =
       attacker.chance(50) ? attacker.oneOf(kLies) : static_cast<std::uint32_t>(frame.size() + attacker.upTo(4)) - 6;
   for (std::size_t b = 0; b < 4; ++b) frame.at(b) = static_cast<std::uint8_t>(lie >> (8 * b));
 }
-/// The frame breaks off, and a whole one follows.
-void truncate(Bytes& frame, Attacker& attacker) {
+/// The frame breaks off, and a whole one follows; or bytes of something else are in it, or before it.
+void breakUp(Bytes& frame, Attacker& attacker) {
   if (attacker.chance(30)) frame.resize(attacker.upTo(frame.size()));
-}
-/// Bytes of something else in the frame and before it.
-void babble(Bytes& frame, Attacker& attacker) {
-  const auto insert = [&frame](std::size_t at, const Bytes& bytes) {
-    frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(at), bytes.begin(), bytes.end());
-  };
-  if (attacker.chance(20)) insert(attacker.upTo(frame.size()), attacker.garbage(8));
-  if (attacker.chance(20)) frame.at(attacker.upTo(frame.size() - 1)) ^= attacker.byte();
-  if (attacker.chance(20)) insert(0, attacker.garbage(300));
+  if (attacker.chance(20) && !frame.empty()) frame.at(attacker.upTo(frame.size() - 1)) ^= attacker.byte();
+  if (attacker.chance(30)) {
+    const Bytes garbage = attacker.garbage(attacker.chance(50) ? 8 : 300);
+    const std::size_t at = attacker.chance(50) ? 0 : attacker.upTo(frame.size());
+    frame.insert(frame.begin() + static_cast<std::ptrdiff_t>(at), garbage.begin(), garbage.end());
+  }
 }
 
-constexpr std::array<Attack, 5> kAttacks = {{{"length lies", 20, anything, lieAboutItsLength, true},
-                                             {"truncated", 20, anything, truncate},
-                                             {"babble", 20, anything, babble},
-                                             {"flapping", 60, anotherSkin, leaveWhole},
-                                             {"time jumps", 100, samples, leaveWhole}}};
+/// A stream that is described, and frames after that, which may be spoiled.
+struct Attack {
+  std::string_view name;
+  int frames = 20;
+  bool has_samples_alone = false;
+  void (*spoil)(Bytes& frame, Attacker& attacker) = nullptr;
+};
+constexpr std::array<Attack, 4> kAttacks = {{{"changing skins", 60},
+                                             {"time jumps", 100, true},
+                                             {"length lies", 20, false, lieAboutItsLength},
+                                             {"broken frames", 20, false, breakUp}}};
+
+Bytes madeOf(const Attack& attack, Attacker& attacker) {
+  // Only frames that have their lengths in front can lie about them.
+  const bool has_lengths = attack.spoil == lieAboutItsLength;
+  const Stream stream = has_lengths ? kStreams[attacker.chance(50) ? 0 : 3] : attacker.oneOf(kStreams);
+  Bytes input = {stream.head, attacker.byte()};
+  append(described(stream.framing), input);
+  for (int k = 0; k < attack.frames; ++k) {
+    Bytes frame = skinwire::encodeFrame(
+        stream.framing, attack.has_samples_alone ? skinwire::Message(attacker.samples()) : attacker.anything());
+    if (attack.spoil != nullptr && attacker.chance(40)) attack.spoil(frame, attacker);
+    append(frame, input);
+  }
+  return input;
+}
 
 /// Bodies whose CRC is right and whose protobuf says that there is more, or is cut off.
 Bytes giantCounts(Attacker& attacker) {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/device/skinwire/codec.h"
 #include "hexoderm/device/skinwire/crc32c.h"
+#include "hexoderm/device/skinwire/framing.h"
 #include "tests/fuzz/fuzz_input.h"
 
 #include <cstddef>
@@ -22,6 +23,17 @@ inline skinwire::Bytes nextBody(FuzzInput& input) {
   append(input.piece(), body);
   putNumber(skinwire::crc32c(body), 4, body);
   return body;
+}
+
+/// Puts a body behind its length, or into COBS.
+inline void appendFrame(skinwire::Framing framing, const skinwire::Bytes& body, skinwire::Bytes& out) {
+  if (framing == skinwire::Framing::Cobs) {
+    append(skinwire::encodeCobs(body), out);
+    out.push_back(0);
+  } else {
+    putNumber(body.size(), 4, out);
+    append(body, out);
+  }
 }
 
 }  // namespace hexoderm::fuzz

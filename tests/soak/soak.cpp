@@ -8,21 +8,17 @@
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/session/session_recorder.h"
 #include "hexoderm/sim/simulated_source.h"
+#include "tests/support/normal_draw.h"
 #include "tests/support/temporary_folder.h"
 
 #include <unistd.h>
 
-#include <Eigen/Core>
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
-#include <condition_variable>
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
-#include <limits>
-#include <mutex>
-#include <random>
-#include <string_view>
 
 namespace {
 
@@ -31,7 +27,6 @@ using namespace hexoderm;
 constexpr std::size_t kPosesPerFile = 40;
 /// A turn takes a few seconds, and a pose one more.
 constexpr double kPatience_s = 60;
-constexpr double kLongest_s = 24.0 * 3600;
 
 double residentMib() {
   std::ifstream statm("/proc/self/statm");
@@ -57,10 +52,7 @@ class Operator final : public SkinListener, public PoseRecorderListener {
   Operator(SkinSource& source, double duration_s) : source_(source), duration_s_(duration_s), recorder_(*this, raw()) {}
 
   /// Until the time is over or something fails.
-  void wait() {
-    std::unique_lock lock(mutex_);
-    over_changed_.wait(lock, [this] { return over_; });
-  }
+  void wait() const { over_.wait(false); }
   /// After the source was stopped.
   Account finish() {
     if (account_.failure.empty()) endFile();
@@ -142,37 +134,29 @@ class Operator final : public SkinListener, public PoseRecorderListener {
     // Far enough to be another pose.
     constexpr double kAtLeast_rad = 20 * kDegree;
     const Eigen::Vector3d last = up_;
-    while (std::acos(std::clamp(up_.dot(last), -1.0, 1.0)) < kAtLeast_rad) {
-      std::normal_distribution<double> any;
-      up_ = Eigen::Vector3d(any(random_), any(random_), any(random_)).normalized();
-    }
+    while (angleBetween(up_, last) < kAtLeast_rad) up_ = random_.direction();
     source_.send(TurnTo{CellId(1), up_});
   }
 
   void end(const std::string& failure) {
-    {
-      const std::lock_guard lock(mutex_);
-      over_ = true;
-      if (account_.failure.empty()) account_.failure = failure;
-    }
-    over_changed_.notify_one();
+    if (account_.failure.empty()) account_.failure = failure;
+    over_ = true;
+    over_.notify_one();
   }
 
   SkinSource& source_;
   double duration_s_;
   SkinDescription skin_;
-  hexoderm::test::TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::filesystem::path path_;
   std::unique_ptr<SessionRecorder> store_;
   std::size_t poses_in_file_ = 0;
   double last_pose_s_ = 0;
   Message hold_;  ///< why no pose is taken
-  std::mt19937_64 random_{1};
+  test::NormalDraw random_{1};
   Eigen::Vector3d up_ = Eigen::Vector3d::UnitZ();  ///< as asked for last
   Account account_;
-  std::mutex mutex_;
-  std::condition_variable over_changed_;
-  bool over_ = false;  ///< written on the source's thread under the mutex
+  std::atomic<bool> over_ = false;
   PoseRecorder recorder_;
 };
 
@@ -186,16 +170,13 @@ int soak(double minutes, double growth_mib) {
   std::cout << account.simulated_s / 60 << " simulated minutes: " << account.frames << " frames, " << account.poses
             << " poses, " << account.files << " files; at most " << account.warm_mib << " MiB while warming up, "
             << account.most_mib << " MiB after that\n";
-  if (!account.failure.empty()) {
-    std::cerr << "soak: " << account.failure << '\n';
-    return EXIT_FAILURE;
+  std::string failure = account.failure;
+  if (failure.empty() && account.most_mib == 0) failure = "too short: expected files after the warm-up";
+  if (failure.empty() && growth_mib > 0 && account.most_mib > account.warm_mib + growth_mib) {
+    failure = "memory grew by more than " + std::to_string(growth_mib) + " MiB";
   }
-  if (account.poses == 0 || account.most_mib == 0) {
-    std::cerr << "soak: too short: expected files after the warm-up\n";
-    return EXIT_FAILURE;
-  }
-  if (growth_mib > 0 && account.most_mib > account.warm_mib + growth_mib) {
-    std::cerr << "soak: memory grew by more than " << growth_mib << " MiB\n";
+  if (!failure.empty()) {
+    std::cerr << "soak: " << failure << '\n';
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
@@ -207,26 +188,9 @@ int main(int argc, char** argv) {
   addSimulatedSources();
   double minutes = 5;
   double growth_mib = 4;
-  for (int k = 1; k + 1 < argc; k += 2) {
-    const std::string_view name = argv[k];
-    const double value = std::strtod(argv[k + 1], nullptr);
-    if (name == "--minutes") {
-      minutes = value;
-    } else if (name == "--growth-mib") {
-      growth_mib = value;
-    } else {
-      std::cerr << "usage: soak [--minutes N] [--growth-mib M]\n";
-      return 2;
-    }
-  }
-  if (!(minutes > 0 && minutes * 60 <= kLongest_s && growth_mib >= 0)) {
-    std::cerr << "soak: expected minutes above 0, at most a day\n";
-    return 2;
-  }
-  try {
-    return soak(minutes, growth_mib);
-  } catch (const std::exception& error) {
-    std::cerr << "soak: " << error.what() << '\n';
-    return EXIT_FAILURE;
-  }
+  CLI::App app("A simulated skin that streams for hours, compressed", "soak");
+  app.add_option("--minutes", minutes, "Simulated minutes, at most a day")->check(CLI::Range(0.1, 24.0 * 60));
+  app.add_option("--growth-mib", growth_mib, "0: memory is not judged")->check(CLI::NonNegativeNumber);
+  CLI11_PARSE(app, argc, argv)
+  return soak(minutes, growth_mib);
 }

@@ -1,70 +1,77 @@
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <deque>
-#include <functional>
 #include <iostream>
 #include <map>
 
 namespace hexoderm::cli {
 namespace {
 
-constexpr double kRadius_m = 0.0501;
-
-/// Errors of one reconstruction against the truth. Figures that it does not have stay empty.
-struct Errors {
-  std::optional<double> orientation_deg;
-  std::optional<double> position_mm;
-  std::optional<double> epsilon_mm;
-  std::optional<double> gap_mm;         ///< length of (estimated - true) loop gap
-  std::optional<double> gap_length_mm;  ///< difference of the lengths of estimated and true loop gap
-  std::optional<double> share_off;      ///< |s - the law's s|
-  std::optional<double> share_sigma;
-};
-
-using ErrorOf = std::optional<double> Errors::*;
-
-/// One skin by all methods.
-struct Methods {
-  Errors papers;
-  Errors matching;
-  Errors other;
-  Errors fit;
-  /// The loop gap if every orientation were known exactly and the cells sat straight in their links.
-  std::optional<double> chained_gap_mm;
-};
-
-/// One line of the table of a case.
+/// A figure of a case by all methods, and what was aimed at.
 struct Line {
   std::string figure;
-  std::string unit;
-  ErrorOf value = nullptr;
+  std::string unit = "mm";
   std::optional<double> bar_matching = {};
   std::optional<double> bar_fit = {};
   std::optional<double> bound = {};
 };
 
-struct AccuracyRow {
-  Line line;
-  LinkLaw law{};
-  std::size_t poses = 0;
-  std::size_t skins = 0;  ///< with a result by every method that is shown
-  std::optional<double> papers = {};
-  std::optional<double> matching = {};
-  std::optional<double> other = {};
-  std::optional<double> fit = {};
-
-  [[nodiscard]] bool hasBar() const { return line.bar_matching || line.bar_fit; }
-  [[nodiscard]] bool reached() const {
-    const auto within = [](const auto& value, const auto& bar) { return !bar || (value && *value <= *bar); };
-    return within(matching, line.bar_matching) && within(fit, line.bar_fit);
-  }
+struct AccuracyCase {
+  std::string name;
+  SkinCase skin;
+  std::vector<Line> lines;
 };
+
+const std::string kOrientation = "orientation";
+const std::string kPosition = "position";
+const std::string kEpsilon = "cylinder error, eq. (21)";
+const std::string kGap = "loop gap, vector";  ///< length of (estimated - true) gap
+const std::string kChainedGap = "the same, orientations known (d)";
+const std::string kGapLength = "loop gap, length";  ///< difference of the lengths of estimated and true gap
+const std::string kShareOff = "s off the law's";
+const std::string kShareSigma = "stated sigma of s";
+
+std::vector<AccuracyCase> accuracyCases() {
+  constexpr const char* kCylinder = "cylinder:r=0.0501";
+  std::vector<AccuracyCase> cases;
+  const auto x17 = [&](std::size_t poses, double bar, std::optional<double> bound) {
+    cases.push_back(
+        {"X17", {.patch = "x17", .surface = kCylinder, .poses = poses}, {{kOrientation, "deg", bar, bar, bound}}});
+  };
+  x17(2, 2.8, {});
+  x17(3, 0.70, 0.71);
+  x17(6, 0.36, 0.37);
+  cases.push_back({"100 cells (b)",
+                   {.patch = "sheet:10x10", .surface = "cylinder:r=0.08", .poses = 2},
+                   {{kOrientation, "deg", 1.8, 1.8}}});
+  const auto laws = {LinkLaw::Bend, LinkLaw::Surface};
+  for (const LinkLaw law : laws) {
+    cases.push_back({"X17",
+                     {.patch = "x17", .surface = kCylinder, .law = law},
+                     {{kPosition, "mm", 0.90, 1.05, 0.80}, {kEpsilon, "mm", 0.40, 0.75}}});
+  }
+  for (const LinkLaw law : laws) {
+    cases.push_back({"ring of 8", {.patch = "ring8", .law = law}, {{kGap, "mm", 0.6}, {kChainedGap}, {kGapLength}}});
+    cases.push_back({"ring of 8, no jitter",
+                     {.patch = "ring8", .law = law, .jitter = false},
+                     {{kGap}, {kChainedGap}, {kGapLength}}});
+    cases.push_back({"ring of 8, closed (c)",
+                     {.patch = "ring8:closed", .law = law},
+                     {{kShareOff, "", {}, 0.25}, {kShareSigma, ""}}});
+  }
+  for (const LinkLaw law : laws) {
+    cases.push_back({"1,000 cells (a)",
+                     {.patch = "sheet:25x40", .surface = "cylinder:r=0.2", .law = law},
+                     {{kPosition, "mm", 0.70, {}, 0.62}}});
+  }
+  return cases;
+}
 
 /// The link points of the loop's ends, apart, in the frame that `T` maps cells to.
 template <class Placement>
@@ -94,8 +101,8 @@ double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
     const CellId id = next.front();
     next.pop_front();
     const SE3 T_b_c = placed[id];
-    for (const NeighborReport& link : std::ranges::find(skin.neighbors(), id, &CellReport::id)->neighbors) {
-      if (link.cell.value() == 0 || placed.contains(link.cell)) continue;
+    for (const NeighborReport& link : linksOf(skin, id)) {
+      if (placed.contains(link.cell)) continue;
       const SE3 T_b_n = truePlacement(truth, link.cell);
       const Eigen::Vector3d t_c_n = neighborCentre(skin.model().port(link.port), skin.model().port(*link.cell_port),
                                                    T_b_c.R.transpose() * T_b_n.R, skin.options().link_law);
@@ -107,136 +114,52 @@ double chainedGapError(const SimulatedSkin& skin, const GroundTruth& truth) {
   return toMillimetres((chained - gapOf(skin, [&](CellId id) { return truePlacement(truth, id); })).norm());
 }
 
-Errors judge(const SimulatedSkin& skin, const GroundTruth& truth, const Reconstruction& result, double true_share) {
-  Errors errors;
+/// Notes the errors of one reconstruction against the truth, of the figures that it has.
+void judge(Tally& tally, const std::string& method, const SimulatedSkin& skin, const GroundTruth& truth,
+           const Reconstruction& result) {
+  const auto note = [&](const std::string& figure, double error) { tally.note(method + figure, error); };
   const PatchReconstruction& patch = *largestPatch(result);
   for (const Comparison& comparison : compareToTruth(result, truth)) {
     if (comparison.patch != patch.id) continue;
-    errors.orientation_deg = toDegrees(comparison.orientation_rms_rad);
-    errors.position_mm = toMillimetres(comparison.position_rms_m);
+    note(kOrientation, toDegrees(comparison.orientation_rms_rad));
+    note(kPosition, toMillimetres(comparison.position_rms_m));
   }
   if (skin.options().patch == "x17") {
-    if (const auto cylinder = fitCylinder(result, kRadius_m)) errors.epsilon_mm = toMillimetres(*cylinder->epsilon_m);
+    constexpr double kRadius_m = 0.0501;
+    if (const auto cylinder = fitCylinder(result, kRadius_m)) note(kEpsilon, toMillimetres(*cylinder->epsilon_m));
   }
   if (skin.loop()) {
     if (const auto loop = measureLoop(skin, result)) {
       const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
       const Eigen::Vector3d true_gap = gapOf(skin, [&](CellId id) { return T_o_b * truePlacement(truth, id); });
-      errors.gap_mm = toMillimetres((loop->gap_m - true_gap).norm());
-      errors.gap_length_mm = toMillimetres(std::abs(loop->length_m - true_gap.norm()));
+      note(kGap, toMillimetres((loop->gap_m - true_gap).norm()));
+      note(kGapLength, toMillimetres(std::abs(loop->length_m - true_gap.norm())));
     }
   }
   if (patch.gap_share && patch.gap_share->sigma > 0) {
-    errors.share_off = std::abs(patch.gap_share->share - true_share);
-    errors.share_sigma = patch.gap_share->sigma;
+    note(kShareOff, std::abs(patch.gap_share->share - (skin.options().link_law == LinkLaw::Bend ? 0 : 1)));
+    note(kShareSigma, patch.gap_share->sigma);
   }
-  return errors;
 }
 
-class AccuracyTable {
- public:
-  explicit AccuracyTable(const Trials& trials) : trials_(trials) {}
-
-  std::vector<AccuracyRow> run() {
-    orientations();
-    for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
-      addCase("X17", {.patch = "x17", .surface = kCylinder, .law = law, .poses = 3},
-              {{"position", "mm", &Errors::position_mm, 0.90, 1.05, 0.80},
-               {"cylinder error, eq. (21)", "mm", &Errors::epsilon_mm, 0.40, 0.75, {}}});
-    }
-    for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) rings(law);
-    for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
-      addCase("1,000 cells (a)", {.patch = "sheet:25x40", .surface = "cylinder:r=0.2", .law = law, .poses = 3},
-              {{"position", "mm", &Errors::position_mm, 0.70, {}, 0.62}});
-    }
-    return std::move(rows_);
-  }
-
- private:
-  static constexpr const char* kCylinder = "cylinder:r=0.0501";
-
-  void orientations() {
-    const auto x17 = [&](std::size_t poses, double bar, std::optional<double> bound) {
-      addCase("X17", {.patch = "x17", .surface = kCylinder, .poses = poses},
-              {{"orientation", "deg", &Errors::orientation_deg, bar, bar, bound}});
-    };
-    x17(2, 2.8, {});
-    x17(3, 0.70, 0.71);
-    x17(6, 0.36, 0.37);
-    addCase("100 cells (b)", {.patch = "sheet:10x10", .surface = "cylinder:r=0.08", .poses = 2},
-            {{"orientation", "deg", &Errors::orientation_deg, 1.8, 1.8, {}}});
-  }
-
-  void rings(LinkLaw law) {
-    const Line gap = {"loop gap, vector", "mm", &Errors::gap_mm, 0.6, {}, {}};
-    const Line length = {"loop gap, length", "mm", &Errors::gap_length_mm, {}, {}, {}};
-    SkinCase ring = {.patch = "ring8", .surface = "", .law = law, .poses = 3};
-    addCase("ring of 8", ring, {gap, length});
-    ring.jitter = false;
-    Line without = gap;
-    without.bar_matching.reset();
-    addCase("ring of 8, no jitter", ring, {without, length});
-    addCase(
-        "ring of 8, closed (c)", {.patch = "ring8:closed", .surface = "", .law = law, .poses = 3},
-        {{"s off the law's", "", &Errors::share_off, {}, 0.25, {}}, {"stated sigma of s", "", &Errors::share_sigma}});
-  }
-
-  void addCase(const std::string& name, const SkinCase& skin_case, const std::vector<Line>& lines) {
-    const auto results =
-        trials_.run(name + ", " + std::string(linkLawName(skin_case.law)), trials_.seeds(), [&](std::size_t seed) {
-          SimulatedSkin skin = makeSkin(skin_case, seed);
-          const Session session = measure(skin, skin_case);
-          const auto snapshot = session.snapshot();
-          const double share = skin_case.law == LinkLaw::Bend ? 0 : 1;
-          const auto by = [&](const SolverOptions& options) {
-            return judge(skin, *session.truth(), *reconstruct(*snapshot, options), share);
-          };
-          Methods methods{by(papersMethod()),
-                          by(globalSolver(matchingModel(skin_case.law))),
-                          by(globalSolver(otherModel(skin_case.law))),
-                          by(globalSolver()),
-                          {}};
-          if (skin.loop()) methods.chained_gap_mm = chainedGapError(skin, *session.truth());
-          return methods;
-        });
-    const auto add = [&](const Line& line, const auto& of_papers, const auto& of_matching, const auto& of_other,
-                         const auto& of_fit) {
-      AccuracyRow row{.line = line, .law = skin_case.law, .poses = skin_case.poses, .skins = results.size()};
-      row.line.figure = name + ": " + line.figure;
-      row.papers = medianOf(results, of_papers, row.skins);
-      row.matching = medianOf(results, of_matching, row.skins);
-      row.other = medianOf(results, of_other, row.skins);
-      row.fit = medianOf(results, of_fit, row.skins);
-      rows_.push_back(std::move(row));
-    };
-    for (const Line& line : lines) {
-      add(
-          line, [&](const Methods& m) { return m.papers.*line.value; },
-          [&](const Methods& m) { return m.matching.*line.value; },
-          [&](const Methods& m) { return m.other.*line.value; }, [&](const Methods& m) { return m.fit.*line.value; });
-      if (line.value != &Errors::gap_mm) continue;
-      const auto none = [](const Methods&) { return std::optional<double>(); };
-      const Line exact = {"the same, orientations known (d)", "mm", nullptr, {}, {}, {}};
-      add(
-          exact, none, [](const Methods& m) { return m.chained_gap_mm; }, none, none);
-    }
-  }
-
-  /// Nothing if no skin has the figure. `skins`: lowered to how many have it.
-  template <class Get>
-  static std::optional<double> medianOf(const std::vector<Methods>& results, const Get& get, std::size_t& skins) {
-    std::vector<double> values;
-    for (const Methods& result : results) {
-      if (const std::optional<double> value = get(result)) values.push_back(*value);
-    }
-    if (values.empty()) return std::nullopt;
-    skins = std::min(skins, values.size());
-    return median(values);
-  }
-
-  const Trials& trials_;
-  std::vector<AccuracyRow> rows_;
-};
+/// One skin by all methods.
+void runTrial(Tally& tally, const SkinCase& skin_case, std::size_t seed) {
+  SimulatedSkin skin = makeSkin(skin_case, seed);
+  const Session session = measure(skin, skin_case);
+  const auto snapshot = session.snapshot();
+  const auto judgeBy = [&](const std::string& method, const SolverOptions& options) {
+    judge(tally, method, skin, *session.truth(), *reconstruct(*snapshot, options));
+  };
+  SolverOptions matching;
+  SolverOptions other;
+  matching.gap_model = skin_case.law == LinkLaw::Bend ? GapModel::Pivot : GapModel::Arc;
+  other.gap_model = skin_case.law == LinkLaw::Bend ? GapModel::Arc : GapModel::Pivot;
+  judgeBy("paper", papersMethod());
+  judgeBy("match", matching);
+  judgeBy("other", other);
+  judgeBy("fit", {});
+  if (skin.loop()) tally.note("match" + kChainedGap, chainedGapError(skin, *session.truth()));
+}
 
 /// Rms of (d) over skins, by hand. Yaw leads the chain sideways and tilt out of the surface, by a pitch per cell askew
 /// and half of one at either end; both ends themselves lie beside their places.
@@ -249,23 +172,33 @@ double jitterBound_m() {
                    2 * 3 * jitter.position_jitter_m * jitter.position_jitter_m);
 }
 
-FigureRow figuresOf(const AccuracyRow& row) {
-  const int decimals = row.line.bar_matching == row.line.bar_fit && row.line.bar_fit ? 3 : 2;
-  const std::string bars = numberOrDash(row.line.bar_matching) + " / " + numberOrDash(row.line.bar_fit);
-  return {ofText("figure", "figure", row.line.figure),
-          ofText("law", "link_law", std::string(linkLawName(row.law))),
-          ofCount("poses", "poses", row.poses),
-          ofCount("", "skins", row.skins),
-          ofNumber("paper", "papers_method", row.papers),
-          ofNumber("match", "matching", row.matching, decimals),
-          ofNumber("other", "mismatching", row.other, decimals),
-          ofNumber("fit", "fit", row.fit, decimals),
-          ofText("unit", "unit", row.line.unit),
-          ofText("bars", "", row.hasBar() ? bars : "-"),
-          ofNumber("", "bar_matching", row.line.bar_matching),
-          ofNumber("", "bar_fit", row.line.bar_fit),
-          ofNumber("bound", "bound", row.line.bound),
-          ofBar(row.hasBar(), row.reached())};
+/// Medians over the skins that have the figure.
+FigureRow figuresOf(const AccuracyCase& what, const Line& line, const Tally& tally, std::size_t seeds) {
+  std::size_t skins = seeds;  // with a result by every method that is shown
+  for (const char* method : {"paper", "match", "other", "fit"}) {
+    const std::size_t of_method = tally.of(method + line.figure).size();
+    if (of_method > 0) skins = std::min(skins, of_method);
+  }
+  const auto orDash = [](const std::optional<double>& bar) { return bar ? formatFixed(*bar, 2) : "-"; };
+  const auto within = [](const auto& value, const auto& bar) { return !bar || (value && *value <= *bar); };
+  const auto matching = tally.median("match" + line.figure);
+  const auto fit = tally.median("fit" + line.figure);
+  const bool has_bar = line.bar_matching || line.bar_fit;
+  const int decimals = line.bar_matching == line.bar_fit && line.bar_fit ? 3 : 2;
+  return {ofText("figure", "figure", what.name + ": " + line.figure),
+          ofText("law", "link_law", std::string(linkLawName(what.skin.law))),
+          ofCount("poses", "poses", what.skin.poses),
+          ofCount("", "skins", skins),
+          ofNumber("paper", "papers_method", tally.median("paper" + line.figure)),
+          ofNumber("match", "matching", matching, decimals),
+          ofNumber("other", "mismatching", tally.median("other" + line.figure), decimals),
+          ofNumber("fit", "fit", fit, decimals),
+          ofText("unit", "unit", line.unit),
+          ofText("bars", "", has_bar ? orDash(line.bar_matching) + " / " + orDash(line.bar_fit) : "-"),
+          ofNumber("", "bar_matching", line.bar_matching),
+          ofNumber("", "bar_fit", line.bar_fit),
+          ofNumber("bound", "bound", line.bound),
+          ofBar(has_bar, within(matching, line.bar_matching) && within(fit, line.bar_fit))};
 }
 
 void print(const std::vector<FigureRow>& rows, std::size_t seeds) {
@@ -290,9 +223,13 @@ void print(const std::vector<FigureRow>& rows, std::size_t seeds) {
 
 }  // namespace
 
-nlohmann::ordered_json tabulateAccuracy(const Trials& trials, bool prints) {
+Json tabulateAccuracy(const Trials& trials, bool prints) {
   std::vector<FigureRow> rows;
-  for (const AccuracyRow& row : AccuracyTable(trials).run()) rows.push_back(figuresOf(row));
+  for (const AccuracyCase& what : accuracyCases()) {
+    const Tally tally = trials.run(what.name + ", " + std::string(linkLawName(what.skin.law)),
+                                   [&](Tally& found, std::size_t seed) { runTrial(found, what.skin, seed); });
+    for (const Line& line : what.lines) rows.push_back(figuresOf(what, line, tally, trials.seeds()));
+  }
   if (prints) print(rows, trials.seeds());
   return {{"jitter_bound_rms_mm", toMillimetres(jitterBound_m())}, {"rows", toJson(rows)}};
 }

@@ -1,4 +1,4 @@
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
@@ -29,19 +29,6 @@ struct CheckCase {
   bool has_bar = true;
 };
 
-struct ChangeRow {
-  CheckCase what;
-  Share found;                   ///< the changed cell is called changed
-  Share right;                   ///< ... and as what it is
-  Share ambiguous;               ///< ... and as turned or drifted, which can't be told
-  Share blamed;                  ///< healthy cells
-  Share alarms;                  ///< checks in which a healthy cell is blamed
-  std::vector<double> deviates;  ///< of the turn's angle about the true 10 degrees, in its stated sigmas
-  [[nodiscard]] bool reached() const {
-    return blamed.percent() <= kBarBlamed && (what.change == Change::None || found.percent() >= kBarNoticed);
-  }
-};
-
 Eigen::Vector3d directionFrom(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   Eigen::Vector3d v;
@@ -62,7 +49,7 @@ std::vector<Eigen::Vector3d> anyPoses(std::size_t count, std::mt19937_64& random
 
 bool isNamed(CellChange change) { return change != CellChange::None && change != CellChange::NotTold; }
 
-ChangeRow runTrial(const CheckCase& what, std::size_t seed) {
+void runTrial(Tally& tally, const CheckCase& what, std::size_t seed) {
   std::mt19937_64 random(seed);
   // The changed cell is any of the skin, whatever is done to it.
   const CellId changed(static_cast<std::uint32_t>(1 + seed % 17));
@@ -71,7 +58,7 @@ ChangeRow runTrial(const CheckCase& what, std::size_t seed) {
   if (what.change == Change::Turn) skin_case.faults.push_back({SkinFault::Reglued, changed});
   SimulatedSkin skin = makeSkin(skin_case, seed);
   skin_case.poses = what.calibration_poses;
-  const auto calibration = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
+  const auto calibration = reconstruct(*measure(skin, skin_case).snapshot());
 
   if (what.change == Change::Dead) skin.breakCell({SkinFault::Dead, changed});
   if (what.change == Change::Stuck) skin.breakCell({SkinFault::Stuck, changed});
@@ -85,36 +72,22 @@ ChangeRow runTrial(const CheckCase& what, std::size_t seed) {
     today.addPose({std::make_shared<const PoseCapture>(std::move(pose))});
   }
 
-  ChangeRow row{what, {}, {}, {}, {}, {}, {}};
+  bool is_alarm = false;
   const CalibrationCheck check = checkCalibration(*calibration, *today.snapshot());
   for (const CheckedCell& cell : check.cells) {
     if (what.change == Change::None || cell.cell != changed) {
-      row.blamed += {isNamed(cell.change) ? 1U : 0U, 1};
+      tally.count("blamed", isNamed(cell.change));
+      is_alarm = is_alarm || isNamed(cell.change);
       continue;
     }
-    row.found += {isNamed(cell.change) ? 1U : 0U, 1};
-    row.right += {cell.change == what.expected ? 1U : 0U, 1};
-    row.ambiguous += {cell.change == CellChange::TurnedOrDrifted ? 1U : 0U, 1};
+    tally.count("found", isNamed(cell.change));
+    tally.count("right", cell.change == what.expected);
+    tally.count("either", cell.change == CellChange::TurnedOrDrifted);
     if (what.change == Change::Turn && cell.change == CellChange::Turned) {
-      row.deviates.push_back((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad);
+      tally.note("deviates squared", std::pow((cell.turn->angle_rad - 10 * kDegree) / cell.turn->sigma_rad, 2));
     }
   }
-  row.alarms += {row.blamed.part > 0 ? 1U : 0U, 1};
-  return row;
-}
-
-ChangeRow runRow(const Trials& trials, const CheckCase& what) {
-  ChangeRow row{what, {}, {}, {}, {}, {}, {}};
-  for (const ChangeRow& trial :
-       trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return runTrial(what, seed); })) {
-    row.found += trial.found;
-    row.right += trial.right;
-    row.ambiguous += trial.ambiguous;
-    row.blamed += trial.blamed;
-    row.alarms += trial.alarms;
-    row.deviates.insert(row.deviates.end(), trial.deviates.begin(), trial.deviates.end());
-  }
-  return row;
+  tally.count("alarms", is_alarm);
 }
 
 std::vector<CheckCase> checkCases() {
@@ -135,36 +108,30 @@ std::vector<CheckCase> checkCases() {
   return cases;
 }
 
-/// Root mean square; the normalised error of what is stated as 1 sigma.
-double rootMeanSquare(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double value : values) sum += value * value;
-  return values.empty() ? 0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-FigureRow figuresOf(const ChangeRow& row) {
-  const bool is_healthy = row.what.change == Change::None;
-  const auto ofChanged = [&](const Share& share) { return is_healthy ? std::nullopt : std::optional(share); };
-  const std::size_t calibrated_by = row.what.calibration_poses;
-  return {ofText("change", "change", row.what.name),
-          {"calibrated by", std::to_string(calibrated_by) + " poses", "calibration_poses", calibrated_by},
-          {"checked by", counted(row.what.poses, "pose"), "poses", row.what.poses},
-          ofShare("found", "found", ofChanged(row.found), 1),
-          ofShare("right", "right_kind", ofChanged(row.right), 1),
-          ofPercent("either", "", is_healthy ? std::nullopt : std::optional(row.ambiguous.percent()), 1),
-          ofShare("", "turned_or_drifted", ofChanged(row.ambiguous), 1),
-          ofShare("blamed, per cell", "blamed_per_cell", row.blamed, 2),
-          ofShare("", "false_alarms", row.alarms, 1),
-          ofNumber("error / stated", "turn_error_over_stated",
-                   row.deviates.empty() ? std::nullopt : std::optional(rootMeanSquare(row.deviates))),
-          ofBar(row.what.has_bar, row.reached())};
+FigureRow runRow(const Trials& trials, const CheckCase& what) {
+  const Tally tally = trials.run(what.name, [&](Tally& found, std::size_t seed) { runTrial(found, what, seed); });
+  const auto squared = tally.mean("deviates squared");
+  const auto found = tally.percent("found");
+  return {
+      ofText("change", "change", what.name),
+      {"calibrated by", std::to_string(what.calibration_poses) + " poses", "calibration_poses", what.calibration_poses},
+      {"checked by", counted(what.poses, "pose"), "poses", what.poses},
+      ofShare("found", "found", tally.share("found"), 1),
+      ofShare("right", "right_kind", tally.share("right"), 1),
+      ofPercent("either", "", tally.percent("either"), 1),
+      ofShare("", "turned_or_drifted", tally.share("either"), 1),
+      ofShare("blamed, per cell", "blamed_per_cell", tally.share("blamed"), 2),
+      ofShare("", "false_alarms", tally.share("alarms"), 1),
+      // The normalised error of what is stated as 1 sigma.
+      ofNumber("error / stated", "turn_error_over_stated", squared ? std::optional(std::sqrt(*squared)) : std::nullopt),
+      ofBar(what.has_bar, tally.percent("blamed") <= kBarBlamed && (!found || found >= kBarNoticed))};
 }
 
 }  // namespace
 
-nlohmann::ordered_json countChanges(const Trials& trials, bool prints) {
+Json countChanges(const Trials& trials, bool prints) {
   std::vector<FigureRow> rows;
-  for (const CheckCase& what : checkCases()) rows.push_back(figuresOf(runRow(trials, what)));
+  for (const CheckCase& what : checkCases()) rows.push_back(runRow(trials, what));
   if (prints) {
     std::cout
         << "What changed since a calibration is found by a check, on a simulated X17 in a hand, defaults: "

@@ -1,4 +1,4 @@
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/solve/reconstructor.h"
@@ -23,24 +23,11 @@ struct Case {
   std::optional<double> bar_false;  ///< percent of links, at most
 };
 
-struct DetectionRow {
-  Case what;
-  Share found;        ///< of sessions
-  Share false_links;  ///< of sound ones
-  Share false_cells;
-  [[nodiscard]] bool healthy() const { return what.cell.value() == 0; }
-  [[nodiscard]] bool hasBar() const { return what.bar_found || what.bar_false; }
-  [[nodiscard]] bool reached() const {
-    return (!what.bar_found || found.percent() >= *what.bar_found) &&
-           (!what.bar_false || false_links.percent() <= *what.bar_false);
-  }
-};
-
 /// The link of a cell that leads away from the middle; of a leaf its only one.
-std::pair<LinkEnd, LinkEnd> outwardLink(const NeighborList& neighbors, CellId cell) {
+std::pair<LinkEnd, LinkEnd> outwardLink(const std::vector<NeighborReport>& links, CellId cell) {
   std::pair<LinkEnd, LinkEnd> ends;
-  for (const NeighborReport& link : std::ranges::find(neighbors, cell, &CellReport::id)->neighbors) {
-    if (link.cell.value() == 0 || link.cell < ends.second.cell) continue;
+  for (const NeighborReport& link : links) {
+    if (link.cell < ends.second.cell) continue;
     ends = {{cell, link.port}, {link.cell, *link.cell_port}};
   }
   return ends;
@@ -48,9 +35,8 @@ std::pair<LinkEnd, LinkEnd> outwardLink(const NeighborList& neighbors, CellId ce
 
 using CellPair = std::pair<CellId, CellId>;
 
-DetectionRow judge(const Case& what, const std::optional<CellPair>& bad_link, bool is_leaf,
-                   const Reconstruction& result) {
-  DetectionRow row{what, {0, 1}, {}, {}};
+void judge(Tally& tally, const Case& what, const std::optional<CellPair>& bad_link, bool is_leaf,
+           const Reconstruction& result) {
   bool link_named = false;
   for (const PatchReconstruction& patch : result.patches) {
     for (const LinkEstimate& link : patch.links) {
@@ -59,7 +45,7 @@ DetectionRow judge(const Case& what, const std::optional<CellPair>& bad_link, bo
       if (is_bad) {
         link_named = link_named || link.muted_by;
       } else {
-        row.false_links += {link.muted_by ? 1U : 0U, 1};
+        tally.count("false links", link.muted_by.has_value());
       }
     }
   }
@@ -70,39 +56,28 @@ DetectionRow judge(const Case& what, const std::optional<CellPair>& bad_link, bo
   const bool cell_named = blamed.contains(what.cell);
   // At a leaf, a turned link and a broken sensor look alike.
   const bool either = is_leaf && (link_named || cell_named);
-  if (what.link) row.found.part = link_named || either ? 1 : 0;
-  if (what.sensor) row.found.part = cell_named || either ? 1 : 0;
+  if (what.link) tally.count("found", link_named || either);
+  if (what.sensor) tally.count("found", cell_named || either);
   const bool cell_may_be_named = what.sensor || is_leaf;
-  row.false_cells = {blamed.size() - (cell_may_be_named && cell_named ? 1 : 0),
-                     result.cellCount() - (cell_may_be_named ? 1 : 0)};
-  return row;
+  tally.add("false cells", blamed.size() - (cell_may_be_named && cell_named ? 1 : 0),
+            result.cellCount() - (cell_may_be_named ? 1 : 0));
 }
 
-DetectionRow runRow(const Trials& trials, const Case& what, std::size_t sessions) {
-  const auto results = trials.run(what.name, sessions, [&](std::size_t seed) {
-    SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
-    std::optional<CellPair> bad_link;
-    bool is_leaf = false;
-    if (what.cell.value() != 0) {
-      const SimulatedSkin healthy = makeSkin(skin_case, seed);
-      const auto [end, other] = outwardLink(healthy.neighbors(), what.cell);
-      is_leaf = std::ranges::count_if(std::ranges::find(healthy.neighbors(), what.cell, &CellReport::id)->neighbors,
-                                      [](const NeighborReport& link) { return link.cell.value() != 0; }) == 1;
-      if (what.link) skin_case.link_faults.push_back({*what.link, end});
-      if (what.sensor) skin_case.faults.push_back({*what.sensor, what.cell});
-      // A leaf's broken sensor excuses its link.
-      if (what.link || is_leaf) bad_link = CellPair(end.cell, other.cell);
-    }
-    SimulatedSkin skin = makeSkin(skin_case, seed);
-    return judge(what, bad_link, is_leaf, *reconstruct(*measure(skin, skin_case).snapshot(), globalSolver()));
-  });
-  DetectionRow row{what, {}, {}, {}};
-  for (const DetectionRow& result : results) {
-    row.found += result.found;
-    row.false_links += result.false_links;
-    row.false_cells += result.false_cells;
+void runTrial(Tally& tally, const Case& what, std::size_t seed) {
+  SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
+  std::optional<CellPair> bad_link;
+  bool is_leaf = false;
+  if (what.cell.value() != 0) {
+    const std::vector<NeighborReport> links = linksOf(makeSkin(skin_case, seed), what.cell);
+    const auto [end, other] = outwardLink(links, what.cell);
+    is_leaf = links.size() == 1;
+    if (what.link) skin_case.link_faults.push_back({*what.link, end});
+    if (what.sensor) skin_case.faults.push_back({*what.sensor, what.cell});
+    // A leaf's broken sensor excuses its link.
+    if (what.link || is_leaf) bad_link = CellPair(end.cell, other.cell);
   }
-  return row;
+  SimulatedSkin skin = makeSkin(skin_case, seed);
+  judge(tally, what, bad_link, is_leaf, *reconstruct(*measure(skin, skin_case).snapshot()));
 }
 
 std::vector<Case> cases() {
@@ -132,24 +107,29 @@ std::string barText(const Case& what) {
   return bar.empty() ? "-" : bar;
 }
 
-FigureRow figuresOf(const DetectionRow& row) {
-  return {ofText("fault", "fault", row.what.name),
-          ofCount("poses", "poses", row.what.poses),
-          ofPercent("found", "found_percent", row.healthy() ? std::nullopt : std::optional(row.found.percent()), 1),
-          ofPercent("false, per link", "false_per_link_percent", row.false_links.percent(), 3),
-          ofPercent("false, per cell", "false_per_cell_percent", row.false_cells.percent(), 3),
-          ofText("bars", "", barText(row.what)),
-          ofNumber("", "bar_found_percent", row.what.bar_found),
-          ofNumber("", "bar_false_percent", row.what.bar_false),
-          ofBar(row.hasBar(), row.reached())};
+FigureRow runRow(const Trials& trials, const Case& what, std::size_t sessions) {
+  const Tally tally =
+      trials.run(what.name, sessions, [&](Tally& found, std::size_t seed) { runTrial(found, what, seed); });
+  const auto found = tally.percent("found");
+  const auto false_links = tally.percent("false links");
+  return {ofText("fault", "fault", what.name),
+          ofCount("poses", "poses", what.poses),
+          ofPercent("found", "found_percent", found, 1),
+          ofPercent("false, per link", "false_per_link_percent", false_links, 3),
+          ofPercent("false, per cell", "false_per_cell_percent", tally.percent("false cells"), 3),
+          ofText("bars", "", barText(what)),
+          ofNumber("", "bar_found_percent", what.bar_found),
+          ofNumber("", "bar_false_percent", what.bar_false),
+          ofBar(what.bar_found || what.bar_false,
+                (!what.bar_found || found >= what.bar_found) && (!what.bar_false || false_links <= what.bar_false))};
 }
 
 }  // namespace
 
-nlohmann::ordered_json countDetections(const Trials& trials, bool prints) {
+Json countDetections(const Trials& trials, bool prints) {
   const std::size_t sessions = trials.seeds() < kFullRun ? trials.seeds() : std::max(trials.seeds(), kFullSessions);
   std::vector<FigureRow> rows;
-  for (const Case& what : cases()) rows.push_back(figuresOf(runRow(trials, what, sessions)));
+  for (const Case& what : cases()) rows.push_back(runRow(trials, what, sessions));
   if (prints) {
     std::cout
         << "What is broken is found, on a simulated X17, global solver, defaults: " << sessions

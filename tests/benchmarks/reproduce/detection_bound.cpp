@@ -34,9 +34,7 @@ class Readings {
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size());
     const std::size_t cell = indexOf(skin_, fault.cell);
     if (fault.kind == SkinFault::Swapped) {
-      const auto& links = skin_.neighbors()[cell].neighbors;
-      const auto first = std::ranges::find_if(links, [](const NeighborReport& n) { return n.cell.value() != 0; });
-      const std::size_t other = indexOf(skin_, first->cell);
+      const std::size_t other = indexOf(skin_, linksOf(skin_, fault.cell).front().cell);
       for (std::size_t p = 0; p < ups_.size(); ++p) {
         change.segment<3>(row(cell, p)) = ideal(other, p) - ideal(cell, p);
         change.segment<3>(row(other, p)) = ideal(cell, p) - ideal(other, p);
@@ -121,8 +119,7 @@ class Readings {
     Eigen::Index link = 0;
     for (std::size_t next = 0; next < order.size(); ++next) {
       const std::size_t cell = order[next];
-      for (const NeighborReport& report : skin_.neighbors()[cell].neighbors) {
-        if (report.cell.value() == 0) continue;
+      for (const NeighborReport& report : linksOf(skin_, cells[cell].id)) {
         const std::size_t other = indexOf(skin_, report.cell);
         if (known[other]) continue;
         const Eigen::Vector3d u = model.port(report.port).vector_m.normalized();

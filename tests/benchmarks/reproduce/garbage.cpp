@@ -1,5 +1,5 @@
 #include "tests/benchmarks/reproduce/detection_bound.h"
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/sim/fault_names.h"
@@ -28,11 +28,6 @@ struct Garbage {
   std::optional<WholeSkinFault> whole_fault;
 };
 
-struct Outcome {
-  bool found = false;
-  std::optional<BestDetection> best;
-};
-
 bool isAlarm(const Finding& finding) {
   return finding.severity != Severity::Info && finding.code != FindingCode::TooFewDirections;
 }
@@ -51,38 +46,32 @@ CellId faultyCell(SkinFault fault, std::size_t seed) {
   return CellId(static_cast<std::uint32_t>(1 + seed % kCells));
 }
 
-CellId firstNeighbor(const SimulatedSkin& skin, CellId cell) {
-  const auto& links = std::ranges::find(skin.neighbors(), cell, &CellReport::id)->neighbors;
-  return std::ranges::find_if(links, [](const NeighborReport& n) { return n.cell.value() != 0; })->cell;
-}
-
-Outcome tryGarbage(const Garbage& what, std::size_t seed) {
+void tryGarbage(Tally& tally, const Garbage& what, std::size_t seed) {
   SkinCase skin_case = {.patch = "x17", .surface = "cylinder:r=0.0501", .poses = what.poses};
   std::set<CellId> guilty;
   if (what.cell_fault) skin_case.faults = {{*what.cell_fault, faultyCell(*what.cell_fault, seed)}};
   if (what.whole_fault) skin_case.whole_skin_faults = {*what.whole_fault};
   SimulatedSkin skin = makeSkin(skin_case, seed);
-  Outcome outcome;
   if (what.cell_fault) {
     const CellFault& fault = skin_case.faults.front();
     guilty.insert(fault.cell);
     if (*what.cell_fault == SkinFault::Swapped || *what.cell_fault == SkinFault::Echo) {
-      guilty.insert(firstNeighbor(skin, fault.cell));
+      guilty.insert(linksOf(skin, fault.cell).front().cell);
     }
-    if (*what.cell_fault != SkinFault::Echo) outcome.best = bestDetection(skin, fault, what.poses);
+    if (*what.cell_fault != SkinFault::Echo) {
+      const BestDetection best = bestDetection(skin, fault, what.poses);
+      tally.note("cell known", best.cell_known);
+      tally.note("cell unknown", best.cell_unknown);
+    }
   }
-  const auto result = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
+  const auto result = reconstruct(*measure(skin, skin_case).snapshot());
   const VerdictLevel level = result->assessment.level;
-  if (what.whole_fault && mustFail(*what.whole_fault)) {
-    outcome.found = level == VerdictLevel::Failed;
-    return outcome;
-  }
   const bool named = std::ranges::any_of(result->findings, [&](const Finding& finding) {
     if (!isAlarm(finding)) return false;
     return guilty.empty() || std::ranges::any_of(finding.cells, [&](CellId cell) { return guilty.contains(cell); });
   });
-  outcome.found = named && level != VerdictLevel::Good;
-  return outcome;
+  const bool must_fail = what.whole_fault && mustFail(*what.whole_fault);
+  tally.count("found", must_fail ? level == VerdictLevel::Failed : named && level != VerdictLevel::Good);
 }
 
 std::vector<Garbage> garbage() {
@@ -99,13 +88,6 @@ std::vector<Garbage> garbage() {
   }
   return all;
 }
-
-struct HealthyCount {
-  Share alarms;      ///< sessions
-  Share accused;     ///< cells named as wrong
-  Share suspicious;  ///< cells
-  Share muted;       ///< links
-};
 
 struct HealthySkin {
   const char* patch;
@@ -125,89 +107,66 @@ constexpr std::array<HealthySkin, 11> kHealthySkins = {{{"x17", "cylinder:r=0.05
                                                         {"sheet:4x6", "cone:r=0.06,angle=0.3", LinkLaw::Bend},
                                                         {"sheet:1x5", "cylinder:r=0.06", LinkLaw::Bend}}};
 
-HealthyCount tryHealthy(std::size_t seed, std::size_t poses) {
+void tryHealthy(Tally& tally, std::size_t seed, std::size_t poses) {
   const HealthySkin& kind = kHealthySkins.at(seed % kHealthySkins.size());
   const SkinCase skin_case = {.patch = kind.patch, .surface = kind.surface, .law = kind.law, .poses = poses};
   SimulatedSkin skin = makeSkin(skin_case, seed);
-  const auto result = reconstruct(*measure(skin, skin_case).snapshot(), globalSolver());
+  const auto result = reconstruct(*measure(skin, skin_case).snapshot());
   std::set<CellId> accused;
   std::set<CellId> suspicious;
-  bool alarm = false;
   for (const Finding& finding : result->findings) {
     if (!isAlarm(finding)) continue;
-    alarm = true;
     if (finding.code == FindingCode::SuspiciousSensor) {
       suspicious.insert(finding.cells.begin(), finding.cells.end());
     } else if (finding.ports.empty()) {
       accused.insert(finding.cells.begin(), finding.cells.end());
     }
   }
-  HealthyCount count;
-  count.alarms = {alarm ? 1U : 0U, 1};
-  count.accused = {accused.size(), result->cellCount()};
-  count.suspicious = {suspicious.size(), result->cellCount()};
+  tally.count("alarms", std::ranges::any_of(result->findings, isAlarm));
+  tally.add("accused", accused.size(), result->cellCount());
+  tally.add("suspicious", suspicious.size(), result->cellCount());
   for (const PatchReconstruction& patch : result->patches) {
-    count.muted += {static_cast<std::size_t>(std::ranges::count_if(
-                        patch.links, [](const LinkEstimate& link) { return link.muted_by.has_value(); })),
-                    patch.links.size()};
+    for (const LinkEstimate& link : patch.links) tally.count("muted", link.muted_by.has_value());
   }
-  return count;
 }
 
-HealthyCount countHealthy(const Trials& trials, std::size_t poses, std::size_t sessions) {
-  HealthyCount sum;
-  const auto counts =
-      trials.run("healthy, all patches", sessions, [poses](std::size_t seed) { return tryHealthy(seed, poses); });
-  for (const HealthyCount& count : counts) {
-    sum.alarms += count.alarms;
-    sum.accused += count.accused;
-    sum.suspicious += count.suspicious;
-    sum.muted += count.muted;
-  }
-  return sum;
+FigureRow runRow(const Trials& trials, const Garbage& what) {
+  const Tally tally = trials.run(what.name, [&](Tally& found, std::size_t seed) { tryGarbage(found, what, seed); });
+  const auto bound = tally.mean("cell unknown");
+  const double bar = bound ? std::min(kBarFound, *bound - kBelowBound) : kBarFound;
+  return {ofText("garbage", "garbage", what.name),
+          ofCount("poses", "poses", what.poses),
+          ofShare("found (95 %)", "found", tally.share("found"), 1),
+          ofPercent("best, cell known", "best_test_cell_known_percent", tally.mean("cell known"), 1),
+          ofPercent("best test", "best_test_percent", bound, 1),
+          {"bar", ">= " + formatFixed(bar, 1) + " %", "bar_percent", bar},
+          ofBar(true, tally.percent("found") >= bar)};
+}
+
+FigureRow runHealthyRow(const Trials& trials, std::size_t poses, std::size_t sessions) {
+  const Tally tally = trials.run("healthy, all patches", sessions,
+                                 [poses](Tally& found, std::size_t seed) { tryHealthy(found, seed, poses); });
+  return {ofText("healthy, all patches", "", ""),
+          ofCount("poses", "poses", poses),
+          ofShare("sessions with a false alarm (95 %)", "alarms", tally.share("alarms"), 2),
+          ofShare("cells accused (95 %)", "accused", tally.share("accused"), 3),
+          ofPercent("cells suspicious", "", tally.percent("suspicious"), 3),
+          ofShare("", "suspicious", tally.share("suspicious"), 3),
+          ofPercent("links muted", "", tally.percent("muted"), 3),
+          ofShare("", "muted", tally.share("muted"), 3),
+          ofText("bars", "", "<= 0.2 %, <= 0.1 %"),
+          ofBar(true, tally.percent("alarms") <= kBarFalseAlarms && tally.percent("accused") <= kBarAccused)};
 }
 
 }  // namespace
 
-nlohmann::ordered_json countGarbage(const Trials& trials, bool prints) {
+Json countGarbage(const Trials& trials, bool prints) {
   std::vector<FigureRow> rows;
-  for (const Garbage& what : garbage()) {
-    const auto outcomes =
-        trials.run(what.name, trials.seeds(), [&](std::size_t seed) { return tryGarbage(what, seed); });
-    Share found;
-    std::vector<double> known;
-    std::vector<double> unknown;
-    for (const Outcome& outcome : outcomes) {
-      found += {outcome.found ? 1U : 0U, 1};
-      if (!outcome.best) continue;
-      known.push_back(outcome.best->cell_known);
-      unknown.push_back(outcome.best->cell_unknown);
-    }
-    const std::optional<double> bound = unknown.empty() ? std::nullopt : std::optional(mean(unknown));
-    const std::optional<double> bound_known = known.empty() ? std::nullopt : std::optional(mean(known));
-    const double bar = bound ? std::min(kBarFound, *bound - kBelowBound) : kBarFound;
-    rows.push_back({ofText("garbage", "garbage", what.name),
-                    ofCount("poses", "poses", what.poses),
-                    ofShare("found (95 %)", "found", found, 1),
-                    ofPercent("best, cell known", "best_test_cell_known_percent", bound_known, 1),
-                    ofPercent("best test", "best_test_percent", bound, 1),
-                    {"bar", ">= " + formatFixed(bar, 1) + " %", "bar_percent", bar},
-                    ofBar(true, found.percent() >= bar)});
-  }
+  for (const Garbage& what : garbage()) rows.push_back(runRow(trials, what));
   const std::size_t sessions =
       trials.seeds() < kFullSeeds ? trials.seeds() : std::max(trials.seeds(), kHealthySessions);
   std::vector<FigureRow> healthy;
-  for (const std::size_t poses : {2U, 3U, 4U}) {
-    const HealthyCount count = countHealthy(trials, poses, sessions);
-    healthy.push_back(
-        {ofText("healthy, all patches", "", ""), ofCount("poses", "poses", poses),
-         ofShare("sessions with a false alarm (95 %)", "alarms", count.alarms, 2),
-         ofShare("cells accused (95 %)", "accused", count.accused, 3),
-         ofPercent("cells suspicious", "", count.suspicious.percent(), 3),
-         ofShare("", "suspicious", count.suspicious, 3), ofPercent("links muted", "", count.muted.percent(), 3),
-         ofShare("", "muted", count.muted, 3), ofText("bars", "", "<= 0.2 %, <= 0.1 %"),
-         ofBar(true, count.alarms.percent() <= kBarFalseAlarms && count.accused.percent() <= kBarAccused)});
-  }
+  for (const std::size_t poses : {2U, 3U, 4U}) healthy.push_back(runHealthyRow(trials, poses, sessions));
   if (prints) {
     std::cout
         << "\nGarbage, on a simulated X17 (r = 50.1 mm), global solver, defaults: " << trials.seeds()

@@ -1,7 +1,7 @@
 // hexoderm-reproduce: the tables of core/hexoderm/solve/ACCURACY.md, measured on simulated skins.
 
 #include "app/cli/command.h"
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/freed_memory.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 struct Part {
   const char* name;
-  nlohmann::ordered_json (*run)(const Trials& trials, bool prints);
+  Json (*run)(const Trials& trials, bool prints);
 };
 constexpr std::array<Part, 6> kParts = {{{"paper", reproducePaper},
                                          {"accuracy", tabulateAccuracy},
@@ -23,7 +23,7 @@ constexpr std::array<Part, 6> kParts = {{{"paper", reproducePaper},
                                          {"place", placeOnLinks}}};
 
 int run(std::size_t seeds, const std::string& only, const Common& common) {
-  nlohmann::ordered_json json = {{"seeds", seeds}, {"simulated", true}};
+  Json json = {{"seeds", seeds}, {"simulated", true}};
   const Trials trials(seeds, common);
   bool first = true;
   for (const Part& part : kParts) {

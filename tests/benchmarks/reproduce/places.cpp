@@ -1,4 +1,4 @@
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/mesh_surface.h"
 #include "hexoderm/base/text.h"
@@ -37,34 +37,6 @@ struct PlaceCase {
   const PlaceBody* body = nullptr;
   std::size_t poses = 4;
   std::optional<double> turn_sigma_rad;  ///< of the rotation about the link's z; absent: as about the others
-};
-
-struct PlaceRow {
-  PlaceCase what;
-  Share among;        ///< the true place is among the candidates
-  Share alone;        ///< ... and is the only one
-  Share slide_named;  ///< of what is left open, a slide and a turn
-  Share turn_named;
-  Share determined;  ///< nothing is left open
-  std::vector<double> candidates;
-  std::vector<double> error_m;  ///< of the cells, rms, across what is left open
-  std::vector<double> nees;     ///< of T_l_o, per degree of freedom
-  void operator+=(const PlaceRow& other) {
-    among += other.among;
-    alone += other.alone;
-    slide_named += other.slide_named;
-    turn_named += other.turn_named;
-    determined += other.determined;
-    const auto append = [](std::vector<double>& to, const std::vector<double>& from) {
-      to.insert(to.end(), from.begin(), from.end());
-    };
-    append(candidates, other.candidates);
-    append(error_m, other.error_m);
-    append(nees, other.nees);
-  }
-  [[nodiscard]] bool reached() const {
-    return among.percent() >= kBarAmong && median(error_m) <= kBarError_m && mean(nees) <= kBarNees;
-  }
 };
 
 Eigen::Vector3d normalVector(std::mt19937_64& random) {
@@ -123,8 +95,7 @@ double errorAcross(const NearestPlace& nearest, const PatchToPlace& patch, const
   return std::sqrt(across.squaredNorm() / static_cast<double>(patch.cells.size()));
 }
 
-PlaceRow runTrial(const PlaceCase& what, std::size_t seed) {
-  PlaceRow row{what, {}, {}, {}, {}, {}, {}, {}, {}};
+void runTrial(Tally& tally, const PlaceCase& what, std::size_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> share(0, 1);
   const CellModel model = builtInCellModel("hex-bma150");
@@ -140,8 +111,8 @@ PlaceRow runTrial(const PlaceCase& what, std::size_t seed) {
   const auto solved = reconstruct(*simulateSession(skin, what.poses).snapshot());
   const PatchReconstruction* patch = largestPatch(*solved);
   if (patch == nullptr) {
-    row.among += {0, 1};
-    return row;
+    tally.count("among", false);
+    return;
   }
   const SE3 T_l_o = truePlacement(truth, patch->origin);
 
@@ -161,24 +132,19 @@ PlaceRow runTrial(const PlaceCase& what, std::size_t seed) {
   const PlaceResult result = placePatches(task);
   const NearestPlace nearest = nearestPlace(result, T_l_o);
   const bool is_among = nearest.squared_deviates <= kMaxSquaredDeviates;
-  row.candidates.push_back(static_cast<double>(result.candidates.size()));
-  row.among += {is_among ? 1U : 0U, 1};
-  row.alone += {is_among && result.candidates.size() == 1 ? 1U : 0U, 1};
-  if (nearest.patch == nullptr) return row;
-  bool slides = false;
-  bool turns = false;
-  bool is_free = false;
-  for (const FreeDirection& free : nearest.patch->free) {
-    slides = slides || free.kind == FreeDirection::Kind::Slide;
-    turns = turns || free.kind == FreeDirection::Kind::Turn;
-    is_free = is_free || !free.held_by_rotation;
-  }
-  row.slide_named += {slides ? 1U : 0U, 1};
-  row.turn_named += {turns ? 1U : 0U, 1};
-  row.determined += {is_free ? 0U : 1U, 1};
-  row.error_m.push_back(errorAcross(nearest, task.patches.front(), truth));
-  row.nees.push_back(nearest.squared_deviates / 6);
-  return row;
+  tally.note("candidates", static_cast<double>(result.candidates.size()));
+  tally.count("among", is_among);
+  tally.count("alone", is_among && result.candidates.size() == 1);
+  if (nearest.patch == nullptr) return;
+  const auto leavesOpen = [&](FreeDirection::Kind kind) {
+    return std::ranges::find(nearest.patch->free, kind, &FreeDirection::kind) != nearest.patch->free.end();
+  };
+  tally.count("slide named", leavesOpen(FreeDirection::Kind::Slide));
+  tally.count("turn named", leavesOpen(FreeDirection::Kind::Turn));
+  tally.count("determined", std::ranges::all_of(nearest.patch->free, &FreeDirection::held_by_rotation));
+  tally.note("error",
+             errorAcross(nearest, task.patches.front(), truth));  // of the cells, rms, across what is left open
+  tally.note("NEES", nearest.squared_deviates / 6);
 }
 
 std::vector<PlaceBody> placeBodies() {
@@ -189,31 +155,34 @@ std::vector<PlaceBody> placeBodies() {
           {"cylinder", meshOfCylinder(0.0501, 0.5), -0.1, 0.1}};
 }
 
-FigureRow figuresOf(const PlaceRow& row) {
-  const bool is_known = !row.what.turn_sigma_rad;
-  const double error_m = median(row.error_m);
-  const double worst_m = quantile(row.error_m, 0.95);
-  const auto rounded = [](const char* title, const char* key, const Share& share) -> Figure {
-    return {title, formatFixed(share.percent(), 0) + " %", key, cli::toJson(share)};
+FigureRow runRow(const Trials& trials, const PlaceCase& what) {
+  const Tally tally =
+      trials.run("place on " + what.body->name, [&](Tally& found, std::size_t seed) { runTrial(found, what, seed); });
+  const bool is_known = !what.turn_sigma_rad;
+  const double error_m = tally.median("error").value_or(0);
+  const double worst_m = tally.quantile("error", 0.95).value_or(0);
+  const auto rounded = [&](const char* title, const char* key) -> Figure {
+    return {title, ofPercent("", "", tally.percent(title), 0).text, key, ofShare("", "", tally.share(title), 0).value};
   };
-  return {ofText("link", "body", row.what.body->name),
-          ofCount("poses", "poses", row.what.poses),
+  return {ofText("link", "body", what.body->name),
+          ofCount("poses", "poses", what.poses),
           {"turn", is_known ? "known" : "unknown", "turn_known", is_known},
-          ofShare("among", "among", row.among, 1),
-          rounded("alone", "alone", row.alone),
-          ofNumber("places", "candidates_mean", mean(row.candidates), 1),
-          rounded("slide named", "slide_named", row.slide_named),
-          rounded("turn named", "turn_named", row.turn_named),
-          rounded("determined", "determined", row.determined),
+          ofShare("among", "among", tally.share("among"), 1),
+          rounded("alone", "alone"),
+          ofNumber("places", "candidates_mean", tally.mean("candidates"), 1),
+          rounded("slide named", "slide_named"),
+          rounded("turn named", "turn_named"),
+          rounded("determined", "determined"),
           {"error", millimetres(error_m), "error_median_mm", toMillimetres(error_m)},
           {"95 %", millimetres(worst_m), "error_95_mm", toMillimetres(worst_m)},
-          ofNumber("NEES", "nees", mean(row.nees)),
-          ofBar(true, row.reached())};
+          ofNumber("NEES", "nees", tally.mean("NEES")),
+          ofBar(true, tally.percent("among") >= kBarAmong && error_m <= kBarError_m &&
+                          tally.mean("NEES").value_or(0) <= kBarNees)};
 }
 
 }  // namespace
 
-nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints) {
+Json placeOnLinks(const Trials& trials, bool prints) {
   const std::vector<PlaceBody> bodies = placeBodies();
   std::vector<PlaceCase> cases;
   for (const PlaceBody& body : bodies) {
@@ -221,14 +190,7 @@ nlohmann::ordered_json placeOnLinks(const Trials& trials, bool prints) {
   }
   cases.push_back({&bodies.back(), 4, kPi});
   std::vector<FigureRow> rows;
-  for (const PlaceCase& what : cases) {
-    PlaceRow row{what, {}, {}, {}, {}, {}, {}, {}, {}};
-    for (const PlaceRow& trial : trials.run("place on " + what.body->name, trials.seeds(),
-                                            [&](std::size_t seed) { return runTrial(what, seed); })) {
-      row += trial;
-    }
-    rows.push_back(figuresOf(row));
-  }
+  for (const PlaceCase& what : cases) rows.push_back(runRow(trials, what));
   if (prints) {
     std::cout
         << "Where on a link a patch lies, by the link's surface: a simulated X17 in a hand, defaults, and the "

@@ -40,17 +40,14 @@ SolverOptions papersMethod() {
   return options;
 }
 
-SolverOptions globalSolver(GapModel gap_model) {
-  SolverOptions options;
-  options.gap_model = gap_model;
-  return options;
-}
-
-GapModel matchingModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Pivot : GapModel::Arc; }
-GapModel otherModel(LinkLaw law) { return law == LinkLaw::Bend ? GapModel::Arc : GapModel::Pivot; }
-
 SE3 truePlacement(const GroundTruth& truth, CellId cell) {
   return std::ranges::find(truth.cells, cell, &TrueCellPlacement::id)->T_b_u;
+}
+
+std::vector<NeighborReport> linksOf(const SimulatedSkin& skin, CellId cell) {
+  std::vector<NeighborReport> links = std::ranges::find(skin.neighbors(), cell, &CellReport::id)->neighbors;
+  std::erase_if(links, [](const NeighborReport& link) { return link.cell.value() == 0; });
+  return links;
 }
 
 std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m) {
@@ -69,21 +66,6 @@ std::optional<LoopEvaluation> measureLoop(const SimulatedSkin& skin, const Recon
   }
 }
 
-double quantile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0;
-  std::ranges::sort(values);
-  const double place = fraction * static_cast<double>(values.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, values.size() - 1);
-  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-}
-
-double median(std::vector<double> values) { return quantile(std::move(values), 0.5); }
-
-double mean(const std::vector<double>& values) {
-  return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 double Share::percent() const {
   return whole == 0 ? 0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
 }
@@ -98,24 +80,50 @@ std::pair<double, double> Share::interval() const {
   return {100 * std::max(0.0, middle - half), 100 * std::min(1.0, middle + half)};
 }
 
-void Share::operator+=(const Share& other) {
-  part += other.part;
-  whole += other.whole;
+void Tally::add(const std::string& name, std::size_t part, std::size_t whole) {
+  Share& share = shares[name];
+  share.part += part;
+  share.whole += whole;
 }
 
-std::string inWords(const Share& share, int decimals) {
-  const auto [low, high] = share.interval();
-  return formatFixed(share.percent(), decimals) + " % (" + formatFixed(low, decimals) + " to " +
-         formatFixed(high, decimals) + ")";
+void Tally::operator+=(const Tally& other) {
+  for (const auto& [name, share] : other.shares) add(name, share.part, share.whole);
+  for (const auto& [name, noted] : other.values) {
+    std::vector<double>& all = values[name];
+    all.insert(all.end(), noted.begin(), noted.end());
+  }
 }
 
-nlohmann::ordered_json toJson(const Share& share) {
-  const auto [low, high] = share.interval();
-  return {{"count", share.part},
-          {"of", share.whole},
-          {"percent", share.percent()},
-          {"low_percent", low},
-          {"high_percent", high}};
+std::optional<Share> Tally::share(const std::string& name) const {
+  const auto found = shares.find(name);
+  return found == shares.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> Tally::percent(const std::string& name) const {
+  const std::optional<Share> counted = share(name);
+  return counted ? std::optional(counted->percent()) : std::nullopt;
+}
+
+const std::vector<double>& Tally::of(const std::string& name) const {
+  static const std::vector<double> kNone;
+  const auto found = values.find(name);
+  return found == values.end() ? kNone : found->second;
+}
+
+std::optional<double> Tally::mean(const std::string& name) const {
+  const std::vector<double>& noted = of(name);
+  if (noted.empty()) return std::nullopt;
+  return std::accumulate(noted.begin(), noted.end(), 0.0) / static_cast<double>(noted.size());
+}
+
+std::optional<double> Tally::quantile(const std::string& name, double fraction) const {
+  std::vector<double> sorted = of(name);
+  if (sorted.empty()) return std::nullopt;
+  std::ranges::sort(sorted);
+  const double place = fraction * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
 void Trials::report(const std::string& what, std::size_t seed, std::size_t count) const {
@@ -131,7 +139,7 @@ Figure ofCount(const std::string& title, const std::string& key, std::size_t cou
 }
 
 Figure ofNumber(const std::string& title, const std::string& key, const std::optional<double>& value, int decimals) {
-  return {title, numberOrDash(value, decimals), key, orNull(value)};
+  return {title, value ? formatFixed(*value, decimals) : "-", key, orNull(value)};
 }
 
 Figure ofPercent(const std::string& title, const std::string& key, const std::optional<double>& percent, int decimals) {
@@ -139,7 +147,18 @@ Figure ofPercent(const std::string& title, const std::string& key, const std::op
 }
 
 Figure ofShare(const std::string& title, const std::string& key, const std::optional<Share>& share, int decimals) {
-  return {title, share ? inWords(*share, decimals) : "-", key, share ? toJson(*share) : Json()};
+  if (!share) return {title, "-", key, Json()};
+  const auto [low, high] = share->interval();
+  const double percent = share->percent();
+  return {
+      title,
+      formatFixed(percent, decimals) + " % (" + formatFixed(low, decimals) + " to " + formatFixed(high, decimals) + ")",
+      key,
+      {{"count", share->part},
+       {"of", share->whole},
+       {"percent", percent},
+       {"low_percent", low},
+       {"high_percent", high}}};
 }
 
 Figure ofBar(bool has_bar, bool is_reached) {
@@ -177,10 +196,6 @@ Json toJson(const std::vector<FigureRow>& rows) {
     }
     return object;
   });
-}
-
-std::string numberOrDash(const std::optional<double>& value, int decimals) {
-  return value ? formatFixed(*value, decimals) : "-";
 }
 
 }  // namespace hexoderm::cli

@@ -10,6 +10,7 @@
 #include "app/cli/json.h"
 
 #include <atomic>
+#include <map>
 #include <optional>
 #include <string>
 #include <thread>
@@ -21,7 +22,7 @@ namespace hexoderm::cli {
 /// A simulated skin and how it is measured; what is not named here is the simulator's default.
 struct SkinCase {
   std::string patch;
-  std::string surface;
+  std::string surface = {};
   LinkLaw law = LinkLaw::Bend;
   std::size_t poses = 3;
   double offset_sigma_mg = 60;
@@ -37,33 +38,42 @@ Session measure(SimulatedSkin& skin, const SkinCase& skin_case);
 
 /// --solver tree --centre off, and as in the paper no link is judged and muted: every skin counts.
 SolverOptions papersMethod();
-SolverOptions globalSolver(GapModel gap_model = GapModel::Fit);
-/// The gap model that the simulator's law obeys, and the one it doesn't.
-GapModel matchingModel(LinkLaw law);
-GapModel otherModel(LinkLaw law);
 
 SE3 truePlacement(const GroundTruth& truth, CellId cell);
+/// The reports of a cell that name a neighbour.
+std::vector<NeighborReport> linksOf(const SimulatedSkin& skin, CellId cell);
 /// Nothing where links taken for broken left too little of the skin.
 std::optional<SurfaceEvaluation> fitCylinder(const Reconstruction& reconstruction, double true_radius_m);
 std::optional<LoopEvaluation> measureLoop(const SimulatedSkin& skin, const Reconstruction& reconstruction);
 
-/// Order statistics, linearly interpolated; of nothing 0.
-double quantile(std::vector<double> values, double fraction);
-double median(std::vector<double> values);
-double mean(const std::vector<double>& values);
-
-/// Wilson's 95 % interval of a share, in percent.
 struct Share {
   std::size_t part = 0;
   std::size_t whole = 0;
   [[nodiscard]] double percent() const;
+  /// Wilson's 95 % interval, in percent.
   [[nodiscard]] std::pair<double, double> interval() const;
-  void operator+=(const Share& other);
 };
 
-/// "97.5 % (95.1 to 99.0)".
-std::string inWords(const Share& share, int decimals);
-nlohmann::ordered_json toJson(const Share& share);
+/// What trials found, by name: shares, and numbers, which need not be there in every trial.
+struct Tally {
+  std::map<std::string, Share> shares;
+  std::map<std::string, std::vector<double>> values;
+
+  void add(const std::string& name, std::size_t part, std::size_t whole);
+  /// One more of a share.
+  void count(const std::string& name, bool is_part) { add(name, is_part ? 1 : 0, 1); }
+  void note(const std::string& name, double value) { values[name].push_back(value); }
+  void operator+=(const Tally& other);
+
+  /// Nothing of what was never counted or noted.
+  [[nodiscard]] std::optional<Share> share(const std::string& name) const;
+  [[nodiscard]] std::optional<double> percent(const std::string& name) const;
+  [[nodiscard]] const std::vector<double>& of(const std::string& name) const;
+  [[nodiscard]] std::optional<double> mean(const std::string& name) const;
+  /// An order statistic, linearly interpolated.
+  [[nodiscard]] std::optional<double> quantile(const std::string& name, double fraction) const;
+  [[nodiscard]] std::optional<double> median(const std::string& name) const { return quantile(name, 0.5); }
+};
 
 /// Repeats trials over seeds on all processors. Every trial depends on its seed alone, so the outcome depends on
 /// neither their number nor their order.
@@ -72,23 +82,29 @@ class Trials {
   Trials(std::size_t seeds, const Common& common) : seeds_(seeds), common_(common) {}
   [[nodiscard]] std::size_t seeds() const { return seeds_; }
 
-  /// trial(seed) for the seeds 1 to `count`, in their order.
+  /// What trial(tally, seed) says of the seeds 1 to `count`, in their order.
   template <class Trial>
-  auto run(const std::string& what, std::size_t count, const Trial& trial) const {
-    std::vector<decltype(trial(std::size_t{}))> results(count);
+  Tally run(const std::string& what, std::size_t count, const Trial& trial) const {
+    std::vector<Tally> results(count);
     const std::thread::id reporter = std::this_thread::get_id();
     std::atomic<bool> has_failed = false;
     inParallel(count, [&](std::size_t k) {
       if (has_failed) return;  // what has failed is not worth the wait for the rest
       if (std::this_thread::get_id() == reporter) report(what, k + 1, count);
       try {
-        results[k] = trial(k + 1);
+        trial(results[k], k + 1);
       } catch (...) {
         has_failed = true;
         throw;
       }
     });
-    return results;
+    Tally sum;
+    for (const Tally& result : results) sum += result;
+    return sum;
+  }
+  template <class Trial>
+  Tally run(const std::string& what, const Trial& trial) const {
+    return run(what, seeds_, trial);
   }
 
  private:
@@ -114,7 +130,7 @@ Figure ofCount(const std::string& title, const std::string& key, std::size_t cou
 /// "-" and null for what does not exist.
 Figure ofNumber(const std::string& title, const std::string& key, const std::optional<double>& value, int decimals = 2);
 Figure ofPercent(const std::string& title, const std::string& key, const std::optional<double>& percent, int decimals);
-/// With its interval.
+/// With its interval: "97.5 % (95.1 to 99.0)".
 Figure ofShare(const std::string& title, const std::string& key, const std::optional<Share>& share, int decimals);
 /// Whether a row reaches its bar, if it has one.
 Figure ofBar(bool has_bar, bool is_reached);
@@ -122,7 +138,24 @@ Figure ofBar(bool has_bar, bool is_reached);
 /// Columns as wide as their widest entry.
 void printTable(const std::vector<FigureRow>& rows);
 Json toJson(const std::vector<FigureRow>& rows);
-/// "-" for what does not exist.
-std::string numberOrDash(const std::optional<double>& value, int decimals = 2);
+
+// The parts of `reproduce`. Each runs its trials, prints its tables unless --json is given, and returns the same as
+// JSON.
+
+/// The paper's two experiments: its published single trials, its method and ours.
+Json reproducePaper(const Trials& trials, bool prints);
+/// Accuracy of each method on simulated skins, with the bars that Hexoderm set itself.
+Json tabulateAccuracy(const Trials& trials, bool prints);
+/// Whether the stated uncertainties are as large as the errors.
+Json checkUncertainty(const Trials& trials, bool prints);
+/// Rates at which broken links and sensors are found, and sound ones blamed.
+Json countDetections(const Trials& trials, bool prints);
+/// The same for sessions that make no sense as a whole or in part, and for healthy ones of all patches; part of
+/// countDetections().
+Json countGarbage(const Trials& trials, bool prints);
+/// How often `check` finds what changed since a calibration, and blames healthy cells.
+Json countChanges(const Trials& trials, bool prints);
+/// How often the true place on a link is found by the link's surface, and how far off.
+Json placeOnLinks(const Trials& trials, bool prints);
 
 }  // namespace hexoderm::cli

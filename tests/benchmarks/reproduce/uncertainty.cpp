@@ -1,4 +1,4 @@
-#include "tests/benchmarks/reproduce/experiments.h"
+#include "tests/benchmarks/reproduce/trials.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/solve/reconstructor.h"
@@ -23,26 +23,13 @@ constexpr Band kTwoPoses = {0.3, 5};
 constexpr Band kMorePoses = {0.7, 1.5};
 constexpr Band kWrongPrior = {0.3, 4};
 
-/// Normalised estimation error squared, per degree of freedom; 1 is honest, less is too cautious.
-struct Nees {
-  double position = 0;
-  double orientation = 0;
-};
-
-struct UncertaintyRow {
-  SkinCase skin;
-  double prior_mg = 0;  ///< the solver's prior for the offsets' sigma
-  std::size_t skins = 0;
-  Nees nees;
-  Band band;
-  [[nodiscard]] bool reached() const { return band.contains(nees.position) && band.contains(nees.orientation); }
-};
-
-/// The truth is moved so that the origin cells coincide, no best fit; mean over the other cells of e^T C^-1 e / 3.
-std::optional<Nees> neesOf(const Reconstruction& result, const GroundTruth& truth) {
+/// Notes the normalised estimation error squared, per degree of freedom; 1 is honest, less is too cautious. The truth
+/// is moved so that the origin cells coincide, no best fit; mean over the other cells of e^T C^-1 e / 3.
+void noteNees(Tally& tally, const Reconstruction& result, const GroundTruth& truth) {
   const PatchReconstruction& patch = *largestPatch(result);
   const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
-  Nees sum;
+  double position = 0;
+  double orientation = 0;
   double count = 0;
   for (const CellPlacement& cell : patch.cells) {
     if (cell.cell == patch.origin || !cell.cov_t_r) continue;
@@ -51,12 +38,13 @@ std::optional<Nees> neesOf(const Reconstruction& result, const GroundTruth& trut
     const Eigen::Vector3d e_r = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
     const Eigen::Matrix3d C_t = cell.cov_t_r->topLeftCorner<3, 3>();
     const Eigen::Matrix3d C_r = cell.cov_t_r->bottomRightCorner<3, 3>();
-    sum.position += e_t.dot(C_t.ldlt().solve(e_t)) / 3;
-    sum.orientation += e_r.dot(C_r.ldlt().solve(e_r)) / 3;
+    position += e_t.dot(C_t.ldlt().solve(e_t)) / 3;
+    orientation += e_r.dot(C_r.ldlt().solve(e_r)) / 3;
     ++count;
   }
-  if (count == 0) return std::nullopt;
-  return Nees{sum.position / count, sum.orientation / count};
+  if (count == 0) return;
+  tally.note("position", position / count);
+  tally.note("orientation", orientation / count);
 }
 
 /// The same measurements with another prior for the size of offsets.
@@ -75,91 +63,68 @@ std::size_t skinsOf(const SkinCase& skin_case, const Trials& trials) {
   return std::clamp<std::size_t>(trials.seeds() * 3 / 10, 1, kMaxSkins);
 }
 
-UncertaintyRow runRow(const Trials& trials, const SkinCase& skin_case, double prior_mg, Band band) {
-  const auto results =
-      trials.run("uncertainty of " + skin_case.patch, skinsOf(skin_case, trials), [&](std::size_t seed) {
-        SimulatedSkin skin = makeSkin(skin_case, seed);
-        const Session session = measure(skin, skin_case);
-        return neesOf(*reconstruct(*withPrior(session, prior_mg).snapshot(), globalSolver()), *session.truth());
-      });
-  UncertaintyRow row{skin_case, prior_mg, 0, {}, band};
-  std::vector<double> position;
-  std::vector<double> orientation;
-  for (const auto& nees : results) {
-    if (!nees) continue;
-    position.push_back(nees->position);
-    orientation.push_back(nees->orientation);
-  }
-  row.skins = position.size();
-  row.nees = {mean(position), mean(orientation)};
-  return row;
-}
-
-std::string nameOf(const SkinCase& skin_case) {
-  return skin_case.surface.empty() ? skin_case.patch : skin_case.patch + " on " + skin_case.surface;
-}
-
-std::string inWords(const UncertaintyRow& row) {
-  return formatFixed(row.nees.position, 2) + " / " + formatFixed(row.nees.orientation, 2) +
-         (row.reached() ? "" : " NO");
-}
-
 std::string inWords(Band band) { return formatFixed(band.low, 1) + " to " + formatFixed(band.high, 1); }
 
-/// Rows come in groups of kPoses.size(): one skin measured in that many ways.
-void print(const std::vector<UncertaintyRow>& rows, const std::vector<UncertaintyRow>& wrong_prior, std::size_t seeds) {
-  std::cout << "Stated uncertainty on simulated skins, global solver, fit: mean over " << seeds << " skins of the\n"
-            << "normalised estimation error squared, position / orientation. 1 is honest, less is too cautious, more\n"
-            << "claims too much. NO marks what is outside its bar.";
-  if (rows.back().skins != seeds) std::cout << " Of the torus " << rows.back().skins << " skins.";
-  std::cout << "\n\n";
-  const auto skinOf = [](const UncertaintyRow& row) -> FigureRow {
-    return {ofText("skin", "", nameOf(row.skin)), ofText("law", "", std::string(linkLawName(row.skin.law))),
-            ofText("offsets", "", formatFixed(row.skin.offset_sigma_mg, 0) + " mg")};
-  };
-  const auto titleOf = [](std::size_t poses) { return std::to_string(poses) + " poses"; };
+/// `prior_mg`: the solver's prior for the offsets' sigma.
+FigureRow runRow(const Trials& trials, const SkinCase& skin, double prior_mg, Band band) {
+  const Tally tally =
+      trials.run("uncertainty of " + skin.patch, skinsOf(skin, trials), [&](Tally& found, std::size_t seed) {
+        SimulatedSkin simulated = makeSkin(skin, seed);
+        const Session session = measure(simulated, skin);
+        noteNees(found, *reconstruct(*withPrior(session, prior_mg).snapshot()), *session.truth());
+      });
+  const double position = tally.mean("position").value_or(0);
+  const double orientation = tally.mean("orientation").value_or(0);
+  const bool is_reached = band.contains(position) && band.contains(orientation);
+  return {
+      ofText("skin", "skin", skin.surface.empty() ? skin.patch : skin.patch + " on " + skin.surface),
+      ofText("law", "link_law", std::string(linkLawName(skin.law))),
+      {"offsets", formatFixed(skin.offset_sigma_mg, 0) + " mg", "offset_sigma_mg", skin.offset_sigma_mg},
+      {"cell model", formatFixed(prior_mg, 0) + " mg", "prior_sigma_mg", prior_mg},
+      ofCount("poses", "poses", skin.poses),
+      ofText("nees", "", formatFixed(position, 2) + " / " + formatFixed(orientation, 2) + (is_reached ? "" : " NO")),
+      ofCount("", "skins", tally.of("position").size()),
+      ofNumber("", "nees_position", position),
+      ofNumber("", "nees_orientation", orientation),
+      {"", "", "bar", {band.low, band.high}},
+      {"", "", "reached", is_reached}};
+}
+
+/// Rows come in groups of kPoses.size(), one skin measured in that many ways, of which a line is made.
+std::vector<FigureRow> besideEachOther(const std::vector<FigureRow>& rows) {
   std::vector<FigureRow> table;
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (k % kPoses.size() == 0) table.push_back(skinOf(rows[k]));
-    table.back().push_back(ofText(titleOf(rows[k].skin.poses), "", inWords(rows[k])));
+    const FigureRow& row = rows[k];
+    if (k % kPoses.size() == 0) table.emplace_back(row.begin(), row.begin() + 3);
+    table.back().push_back(ofText(row[4].text + " poses", "", row[5].text));
   }
   FigureRow bars = {ofText("skin", "", "bar"), ofText("law", "", ""), ofText("offsets", "", "")};
   for (const std::size_t poses : kPoses) {
-    bars.push_back(ofText(titleOf(poses), "", inWords(poses < 3 ? kTwoPoses : kMorePoses)));
+    bars.push_back(ofText(std::to_string(poses) + " poses", "", inWords(poses < 3 ? kTwoPoses : kMorePoses)));
   }
   table.push_back(std::move(bars));
-  printTable(table);
-  std::cout << "\nThe offsets' sigma in the cell model is wrong (bar " << inWords(kWrongPrior) << "):\n";
-  std::vector<FigureRow> wrong;
-  for (const UncertaintyRow& row : wrong_prior) {
-    wrong.push_back(skinOf(row));
-    wrong.back().push_back(ofText("cell model", "", formatFixed(row.prior_mg, 0) + " mg"));
-    wrong.back().push_back(ofCount("poses", "", row.skin.poses));
-    wrong.back().push_back(ofText("nees", "", inWords(row)));
-  }
-  printTable(wrong);
+  return table;
 }
 
-Json toJson(const UncertaintyRow& row) {
-  return {{"skin", nameOf(row.skin)},
-          {"link_law", linkLawName(row.skin.law)},
-          {"poses", row.skin.poses},
-          {"offset_sigma_mg", row.skin.offset_sigma_mg},
-          {"prior_sigma_mg", row.prior_mg},
-          {"skins", row.skins},
-          {"nees_position", row.nees.position},
-          {"nees_orientation", row.nees.orientation},
-          {"bar", {row.band.low, row.band.high}},
-          {"reached", row.reached()}};
+void print(const std::vector<FigureRow>& rows, const std::vector<FigureRow>& wrong_prior, std::size_t seeds) {
+  std::cout << "Stated uncertainty on simulated skins, global solver, fit: mean over " << seeds << " skins of the\n"
+            << "normalised estimation error squared, position / orientation. 1 is honest, less is too cautious, more\n"
+            << "claims too much. NO marks what is outside its bar.";
+  const std::string of_torus = rows.back()[6].text;
+  if (of_torus != std::to_string(seeds)) std::cout << " Of the torus " << of_torus << " skins.";
+  std::cout << "\n\n";
+  printTable(besideEachOther(rows));
+  std::cout << "\nThe offsets' sigma in the cell model is wrong (bar " << inWords(kWrongPrior) << "):\n";
+  printTable(wrong_prior);
 }
 
 }  // namespace
 
-nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints) {
+Json checkUncertainty(const Trials& trials, bool prints) {
   const std::vector<std::pair<std::string, std::string>> patches = {
       {"x17", "cylinder:r=0.0501"}, {"ring8", ""}, {"ring8:closed", ""}, {"sheet:10x10", "torus:R=0.2,r=0.1"}};
-  std::vector<UncertaintyRow> rows;
-  std::vector<UncertaintyRow> wrong_prior;
+  std::vector<FigureRow> rows;
+  std::vector<FigureRow> wrong_prior;
   for (const auto& [patch, surface] : patches) {
     for (const LinkLaw law : {LinkLaw::Bend, LinkLaw::Surface}) {
       for (const double offset : {20.0, 60.0}) {
@@ -178,8 +143,7 @@ nlohmann::ordered_json checkUncertainty(const Trials& trials, bool prints) {
     }
   }
   if (prints) print(rows, wrong_prior, trials.seeds());
-  const auto row_json = [](const UncertaintyRow& row) { return toJson(row); };
-  return {{"rows", arrayOf(rows, row_json)}, {"wrong_prior", arrayOf(wrong_prior, row_json)}};
+  return {{"rows", toJson(rows)}, {"wrong_prior", toJson(wrong_prior)}};
 }
 
 }  // namespace hexoderm::cli
