@@ -8,6 +8,7 @@ core_packages=(
   ccache
   libassimp-dev # test oracle; the library does not use it
   libboost-graph-dev
+  libceres-dev # test oracle; the library does not use it
   libcli11-dev
   libconsole-bridge-dev # the log of urdfdom
   libeigen3-dev

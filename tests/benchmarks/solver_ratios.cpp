@@ -1,8 +1,8 @@
 // Times as ratios that hold on any computer, in one run: the CPU time of the tree and of the global solver in units of
 // 100,000 Eigen::JacobiSVD<Matrix3d>, the tree stage by stage; how many times as long the Boost Graph Library takes to
-// find the origin from all pairs, and Eigen and CHOLMOD for the factor of the same matrix. All that on one core; then
-// by how much the tree and the global solver are faster with all that there are. A hand holds the poses, or, with
-// --still, a table.
+// find the origin from all pairs, Eigen and CHOLMOD for the factor of the same matrix, and Ceres for the same cost from
+// the same start. All that on one core; then by how much the tree and the global solver are faster with all that there
+// are. A hand holds the poses, or, with --still, a table.
 //
 //   build/release/tests/benchmarks/solver_ratios [CELLS...] [--factor | --solve | --global] [--still]
 //
@@ -25,6 +25,9 @@
 #include "tests/benchmarks/factor_ratios.h"
 #include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
+#ifdef HEXODERM_HAS_CERES
+#include "tests/core/solve/global/ceres_oracle.h"
+#endif
 
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
@@ -43,6 +46,8 @@ namespace hexoderm {
 namespace {
 
 constexpr std::size_t kPoses = 3;
+/// Ceres takes minutes beyond that.
+constexpr std::size_t kMaxCellsForCeres = 10'000;
 
 /// About square.
 Session sheet(std::size_t cells, bool hand_held) {
@@ -70,6 +75,52 @@ std::shared_ptr<const Reconstruction> placeOnly(const SessionSnapshot& snapshot,
   reconstruct(snapshot, options, earlier, enough.get_token(), &progress);
   return placed;
 }
+
+#ifdef HEXODERM_HAS_CERES
+/// Where the global solver starts: the tree's placements, and the forces that the readings mean there.
+GlobalState stateOfTree(const SessionSnapshot& snapshot, const GlobalProblem& problem) {
+  GlobalState state;
+  const auto tree = placeOnly(snapshot, {}, SolveStage::Links);
+  for (const CellPlacement& cell : tree->patches.front().cells) state.cells.push_back(cell.T_o_u);
+  state.force_o.assign(problem.poses, Eigen::Vector3d::Zero());
+  state.acceleration_o.assign(problem.poses, Eigen::Vector3d::Zero());
+  const Eigen::Matrix3d& R_u_a = problem.model->accelerometer.T_u_a.R;
+  for (std::size_t cell = 0; cell < state.cells.size(); ++cell) {
+    state.middle_o += state.cells[cell].t / static_cast<double>(state.cells.size());
+    for (const CellReading& reading : problem.readings[cell]) {
+      state.force_o[reading.pose] += state.cells[cell].R * R_u_a * reading.y_g;
+    }
+  }
+  for (Eigen::Vector3d& force : state.force_o) force.normalize();
+  state.gap_share = problem.gap.mean;
+  return state;
+}
+
+/// One cost, one start, one thread, without covariances.
+void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
+  const SolverOptions options;
+  const std::unique_ptr<const Estimate> solved = solveSkin(snapshot, options);
+  const PatchSolver& patch = solved->patches().front();
+  const GlobalProblem& problem = patch.joint()->problem();
+  const GlobalState start = stateOfTree(snapshot, problem);
+  const auto without_covariance = test::with(&GlobalSolverOptions::covariance, false);
+  double cost = 0;
+  const double ms = least_ms([&] { cost = solveJointly(problem, start, without_covariance).cost; });
+  print("joint cost from the tree, without covariances", ms, unit_ms);
+  // Ceres' other direct solver, SPARSE_SCHUR, takes minutes here.
+  ceres::Solver::Options ceres_options = oracle::CeresOracle::exactOptions();
+  ceres_options.num_threads = 1;
+  ceres_options.function_tolerance = without_covariance.cost_tolerance;
+  oracle::CeresOracle ceres(problem, start);
+  const double begin = cpuTime_ms();
+  const ceres::Solver::Summary summary = ceres.solve(ceres_options);
+  const double ceres_ms = cpuTime_ms() - begin;
+  print("the same by Ceres", ceres_ms, unit_ms);
+  std::cout << "    " << summary.iterations.size()
+            << " steps, its cost less ours, relative: " << summary.final_cost / cost - 1 << '\n';
+  std::cout << "  Ceres takes " << formatFixed(ceres_ms / ms, 1) << " times as long\n";
+}
+#endif
 
 /// All pairs by the Boost Graph Library: from every vertex of a small skin, and from some of a large one, times how
 /// many there are.
@@ -199,6 +250,9 @@ void compare(std::size_t cells, bool hand_held, std::size_t count_of_cores, doub
     compareCores("global", count_of_cores, [&] { reconstruct(*snapshot); });
   }
   compareWithBoost(*snapshot, tree, unit_ms);
+#ifdef HEXODERM_HAS_CERES
+  if (cells <= kMaxCellsForCeres) compareWithCeres(*snapshot, unit_ms);
+#endif
 }
 
 void compareFactors(const SessionSnapshot& snapshot) {
