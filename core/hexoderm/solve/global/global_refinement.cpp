@@ -291,16 +291,6 @@ Misfit GlobalRefinement::misfitOf(std::size_t cell) const {
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
 }
 
-Misfit GlobalRefinement::mostMisfitOf(std::size_t cell) const {
-  const std::size_t at = localOf(cell);
-  const std::vector<CellReading>& readings = problem_->readings[at];
-  if (readings.size() < 2) return {};
-  const AccelerometerFit& fit = sensors_[at].fit;
-  const AccelerometerPrior prior(problem_->model->accelerometer);
-  return {misfitWith(prior, readings, sensors_[at].v_g, fit.offset_g, fit.gain),
-          3 * static_cast<double>(readings.size()) - 3};
-}
-
 TurnBetweenPoses GlobalRefinement::turnOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
   return findTurn(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
