@@ -103,7 +103,7 @@ void compareWithCeres(const SessionSnapshot& snapshot, double unit_ms) {
   const GlobalState start = stateOfTree(snapshot, problem);
   const auto without_covariance = test::with(&GlobalSolverOptions::covariance, false);
   double cost = 0;
-  const double ms = least_ms([&] { cost = solveJointly(problem, start, without_covariance).cost; });
+  const double ms = least_ms([&] { cost = GlobalSolver().solve(problem, start, without_covariance).cost; });
   print("joint cost from the tree, without covariances", ms, unit_ms);
   // Ceres' other direct solver, SPARSE_SCHUR, takes minutes here.
   ceres::Solver::Options ceres_options = oracle::CeresOracle::exactOptions();

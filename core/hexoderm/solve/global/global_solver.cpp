@@ -142,9 +142,4 @@ GlobalSolution GlobalSolver::solve(const GlobalProblem& problem, const GlobalSta
   return solution;
 }
 
-GlobalSolution solveJointly(const GlobalProblem& problem, const GlobalState& initial,
-                            const GlobalSolverOptions& options) {
-  return GlobalSolver().solve(problem, initial, options);
-}
-
 }  // namespace hexoderm

@@ -60,8 +60,4 @@ class GlobalSolver {
   GlobalSystem system_;
 };
 
-/// One solution by a GlobalSolver of its own.
-GlobalSolution solveJointly(const GlobalProblem& problem, const GlobalState& initial,
-                            const GlobalSolverOptions& options = {});
-
 }  // namespace hexoderm

@@ -55,7 +55,7 @@ TEST(GlobalSolver, ExactDataWithoutPriorsComeBackExactly) {
         example.problem.origin = 3;
         addExactReadings(example, orthogonalUps(poses));
         const GlobalSolution solution =
-            solveJointly(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, poses));
+            GlobalSolver().solve(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, poses));
         const Deviation deviation = deviationOf(solution.state, example.truth);
         const std::string what = std::string(closed ? "ring, " : "x17, ") + nameOf(gap) + ", " + std::to_string(poses);
         EXPECT_LE(deviation.orientation_rad, 1e-6 * kDegree) << what;
@@ -125,7 +125,7 @@ TEST(GlobalSolver, DefaultPriorsHardlyPullExactData) {
         GlobalCase example = shape.make(gap.mean);
         example.problem.gap = gap;
         addExactReadings(example, orthogonalUps(kPoses[k]));
-        const GlobalSolution solution = solveJointly(example.problem, example.truth);
+        const GlobalSolution solution = GlobalSolver().solve(example.problem, example.truth);
         const Deviation deviation = deviationOf(solution.state, example.truth);
         const std::string what =
             std::string(shape.name) + ", " + nameOf(gap) + ", " + std::to_string(kPoses[k]) + " poses";
@@ -276,7 +276,7 @@ TEST(GlobalSolver, PosesThatSayLittleLeaveLargeUncertainties) {
           example.problem.accelerations = accelerations;
           addExactReadings(example, poses.ups);
           const GlobalSolution solution =
-              solveJointly(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 9));
+              GlobalSolver().solve(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 9));
           const std::string what = std::string(poses.name) + ", " + nameOf(gap) + (closed ? ", ring" : ", x17");
           expectSane(example.problem, solution, what);
           if (closed) continue;
@@ -293,23 +293,23 @@ TEST(GlobalSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
   GlobalCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
   GlobalCase fewer = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   for (auto& readings : example.problem.readings) readings.pop_back();
-  const GlobalSolution solution = solveJointly(example.problem, example.truth);
+  const GlobalSolution solution = GlobalSolver().solve(example.problem, example.truth);
   expectSane(example.problem, solution, "pose without readings");
   // Its length is still about 1 g; its direction is anyone's guess.
   EXPECT_GT(solution.covariance->forces(3, 3).trace(), 100);
-  const GlobalSolution without = solveJointly(fewer.problem, fewer.truth);
+  const GlobalSolution without = GlobalSolver().solve(fewer.problem, fewer.truth);
   EXPECT_NEAR(solution.cost, without.cost, 1e-9 * without.cost);
   EXPECT_LT(deviationOf(solution.state, without.state).position_m, 1e-9);
 }
 
 TEST(GlobalSolver, TheStartDoesNotMatter) {
   GlobalCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
-  const GlobalSolution near = solveJointly(example.problem, example.truth);
+  const GlobalSolution near = GlobalSolver().solve(example.problem, example.truth);
   // The way is long if most links are beyond the loss's threshold.
   const auto patient = test::with(&GlobalSolverOptions::max_iterations, 300);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const GlobalSolution far =
-        solveJointly(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
+        GlobalSolver().solve(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
     EXPECT_NEAR(far.cost, near.cost, 1e-7 * near.cost) << "seed " << seed;
     EXPECT_LT(deviationOf(far.state, near.state).position_m, 1e-6) << "seed " << seed;
     EXPECT_EQ(far.termination, GlobalTermination::Converged) << "seed " << seed;
@@ -322,13 +322,14 @@ TEST(GlobalSolver, StopsWhereItIsWhenAsked) {
   source.request_stop();
   const GlobalState start = perturbed(example.problem, example.truth, 0.1, 0.001, 3);
   const GlobalSolution solution =
-      solveJointly(example.problem, start, test::with(&GlobalSolverOptions::stop, source.get_token()));
+      GlobalSolver().solve(example.problem, start, test::with(&GlobalSolverOptions::stop, source.get_token()));
   EXPECT_EQ(solution.termination, GlobalTermination::Stopped);
   EXPECT_EQ(solution.iterations, 0);
   EXPECT_EQ(solution.state.cells[4].t, start.cells[4].t);
   EXPECT_EQ(solution.covariance, nullptr) << "nobody waits for it";
-  EXPECT_EQ(solveJointly(example.problem, start, test::with(&GlobalSolverOptions::max_iterations, 1)).termination,
-            GlobalTermination::StepLimit);
+  EXPECT_EQ(
+      GlobalSolver().solve(example.problem, start, test::with(&GlobalSolverOptions::max_iterations, 1)).termination,
+      GlobalTermination::StepLimit);
 }
 
 }  // namespace

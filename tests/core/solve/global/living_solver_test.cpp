@@ -36,11 +36,11 @@ TEST(LivingJointSolver, SolvesOneProblemAfterAnotherAsNewSolversDo) {
   for (const std::size_t poses : {2U, 3U, 5U, 3U}) cases.push_back(sheetInPoses(poses));
   for (const GlobalCase& example : cases) kept.push_back(solver.solve(example.problem, example.truth));
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    expectSame(kept[k], solveJointly(cases[k].problem, cases[k].truth), cases[k].problem);
+    expectSame(kept[k], GlobalSolver().solve(cases[k].problem, cases[k].truth), cases[k].problem);
   }
   kept.clear();  // from here on the factor's memory is used again
   for (const GlobalCase& example : cases) {
-    expectSame(solver.solve(example.problem, example.truth), solveJointly(example.problem, example.truth),
+    expectSame(solver.solve(example.problem, example.truth), GlobalSolver().solve(example.problem, example.truth),
                example.problem);
     solver.releaseWorkspace();
   }
@@ -67,7 +67,7 @@ struct GivenBack {
   std::shared_ptr<const GlobalProblem> problem = std::make_shared<const GlobalProblem>(example.problem);
   GlobalSolver solver;
   GlobalSolution solution = solver.solve(*problem, example.truth);
-  GlobalSolution whole = solveJointly(*problem, example.truth);
+  GlobalSolution whole = GlobalSolver().solve(*problem, example.truth);
 };
 
 TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
