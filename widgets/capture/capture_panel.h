@@ -141,7 +141,7 @@ class CapturePanel : public QWidget {
     if (!source_ || source_->state != SourceState::Streaming) return {};
     if (captured_) return tr("Pose %1 captured.").arg(captured_->value());
     if (!next_) return {};
-    const bool is_there = next_->isWanted() && next_->turn && next_->turn->angle_rad < kThere_rad;
+    const bool is_there = next_->isWanted() && next_->turn_rad && *next_->turn_rad < kThere_rad;
     return is_there ? turnText(*next_) : nextPoseText(*next_);
   }
 
@@ -182,7 +182,7 @@ class CapturePanel : public QWidget {
     } else {
       // An operator on the way to the next pose is not told to stop.
       const bool on_the_way = hold_.phase == HoldPhase::Watching && hold_.stillness.blocker == Blocker::Turning &&
-                              next_ && next_->turn && next_->turn->angle_rad > kOnTheWay;
+                              next_ && next_->turn_rad && *next_->turn_rad > kOnTheWay;
       const HoldWords words =
           on_the_way ? HoldWords{tr("Keep turning"), tr("%1 to go").arg(turnAngleText(*next_))} : holdText(hold_);
       ring_->setContent({words.word, words.detail, on_the_way ? 0 : hold_.progress, false});

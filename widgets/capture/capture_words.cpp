@@ -32,9 +32,9 @@ QString kindText(OddCellKind kind) {
                        CaptureWords::tr("turns by itself"), CaptureWords::tr("silent")});
 }
 
-double roundedTurn_deg(const PartTurn& turn) {
+double roundedTurn_deg(double turn_rad) {
   constexpr double kStep_deg = 10;  // fine enough for a hand
-  return kStep_deg * std::round(toDegrees(turn.angle_rad) / kStep_deg);
+  return kStep_deg * std::round(toDegrees(turn_rad) / kStep_deg);
 }
 
 }  // namespace
@@ -58,16 +58,16 @@ QString nextPoseText(const NextPose& next) {
 }
 
 QString turnText(const NextPose& next) {
-  if (!next.isWanted() || !next.turn) return {};
-  if (next.turn->angle_rad < kThere_rad) return CaptureWords::tr("It is there: hold it like this.");
-  const double rounded = roundedTurn_deg(*next.turn);
+  if (!next.isWanted() || !next.turn_rad) return {};
+  if (*next.turn_rad < kThere_rad) return CaptureWords::tr("It is there: hold it like this.");
+  const double rounded = roundedTurn_deg(*next.turn_rad);
   if (rounded >= 180) return CaptureWords::tr("Half a turn around a horizontal axis.");
   return CaptureWords::tr("About %1° around the horizontal axis shown.").arg(figureText(rounded, 0));
 }
 
 QString turnAngleText(const NextPose& next) {
-  if (!next.isWanted() || !next.turn || next.turn->angle_rad < kThere_rad) return {};
-  return CaptureWords::tr("%1°").arg(figureText(roundedTurn_deg(*next.turn), 0));
+  if (!next.isWanted() || !next.turn_rad || *next.turn_rad < kThere_rad) return {};
+  return CaptureWords::tr("%1°").arg(figureText(roundedTurn_deg(*next.turn_rad), 0));
 }
 
 QString gainText(const NextPose& next) {

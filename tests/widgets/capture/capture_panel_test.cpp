@@ -24,7 +24,7 @@ HoldStatus shaking() {
 NextPose nextPose() {
   NextPose next;
   next.target = {CellId(7), Facing::Floor};
-  next.turn = PartTurn{72 * kDegree, Eigen::Vector3d::UnitX()};
+  next.turn_rad = 72 * kDegree;
   next.gain = PoseGain::OutOfPlane;
   next.sigma_now_rad = 4.9 * kDegree;
   next.sigma_then_rad = 0.7 * kDegree;
@@ -86,7 +86,7 @@ TEST_F(CapturePanelTest, SaysWhatToDoHowFarAndWhy) {
 TEST_F(CapturePanelTest, SaysWhenThePartIsThereAndWhenThereIsEnoughAndWhatAnotherPoseWouldStillBringThen) {
   panel.setSource(streaming());
   NextPose next = nextPose();
-  next.turn->angle_rad = 8 * kDegree;
+  next.turn_rad = 8 * kDegree;
   panel.setAdvice(next);
   EXPECT_EQ(text("captureTurn"), "It is there: hold it like this.");
   next.worthwhile = false;

@@ -1,6 +1,6 @@
 #include "hexoderm/solve/checks/loop_search.h"
 
-#include "hexoderm/base/error.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/solve/checks/link_chain.h"
 #include "hexoderm/solve/tree/gap_share.h"
 
@@ -8,7 +8,6 @@
 #include <boost/property_map/vector_property_map.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace hexoderm {
 namespace {
@@ -19,8 +18,9 @@ struct FreePort {
   Eigen::Vector3d point;    ///< its link point
   Eigen::Vector3d outward;  ///< unit
 
-  [[nodiscard]] bool looksAt(const FreePort& other, double max_angle_rad) const {
-    return angleBetween(outward, other.center - center) <= max_angle_rad;
+  [[nodiscard]] bool looksAt(const FreePort& other) const {
+    constexpr double kWithin = 45 * kDegree;
+    return angleBetween(outward, other.center - center) <= kWithin;
   }
 };
 
@@ -34,16 +34,14 @@ class LoopSearch {
     boost::initialize_incremental_components(graph_.graph(), joined_);
   }
 
-  void findOpen(const PatchReconstruction& patch, const LoopSearchOptions& options, std::vector<FoundLoop>& loops) {
-    const double max_gap = options.max_gap_m.value_or(model_.reach_m());
+  void findOpen(const PatchReconstruction& patch, std::vector<FoundLoop>& loops) {
+    const double max_gap = model_.reach_m();
     std::vector<FreePort> ports = freePorts(patch);
     std::ranges::sort(ports, {}, [](const FreePort& port) { return port.point.x(); });
     for (std::size_t a = 0; a < ports.size(); ++a) {
       for (std::size_t b = a + 1; b < ports.size() && ports[b].point.x() - ports[a].point.x() <= max_gap; ++b) {
         if (ports[a].end.cell == ports[b].end.cell || (ports[a].point - ports[b].point).norm() > max_gap) continue;
-        if (!ports[a].looksAt(ports[b], options.max_angle_rad) || !ports[b].looksAt(ports[a], options.max_angle_rad)) {
-          continue;
-        }
+        if (!ports[a].looksAt(ports[b]) || !ports[b].looksAt(ports[a])) continue;
         const bool in_order = ports[a].end < ports[b].end;
         addOpen(patch.id, ports[in_order ? a : b], ports[in_order ? b : a], loops);
       }
@@ -172,22 +170,12 @@ class LoopSearch {
 
 }  // namespace
 
-void LoopSearchOptions::validate() const {
-  if (max_gap_m && !(*max_gap_m >= 0 && std::isfinite(*max_gap_m))) {
-    throw InvalidArgument(message("loop search: the largest gap must be metres of 0 or more"));
-  }
-  if (!(max_angle_rad >= 0 && std::isfinite(max_angle_rad))) {
-    throw InvalidArgument(message("loop search: the largest angle must be radians of 0 or more"));
-  }
-}
-
-std::vector<FoundLoop> findLoops(const Reconstruction& reconstruction, const LoopSearchOptions& options) {
-  options.validate();
+std::vector<FoundLoop> findLoops(const Reconstruction& reconstruction) {
   std::vector<FoundLoop> loops;
   if (reconstruction.patches.empty()) return loops;
   LoopSearch search(reconstruction);
   for (const PatchReconstruction& patch : reconstruction.patches) {
-    search.findOpen(patch, options, loops);
+    search.findOpen(patch, loops);
     search.findClosed(patch, loops);
   }
   std::ranges::stable_sort(loops, [](const FoundLoop& a, const FoundLoop& b) {

@@ -6,19 +6,6 @@
 
 namespace hexoderm {
 
-/// Which loops are looked for.
-struct LoopSearchOptions {
-  /// Link points of free ports that are no further apart face each other; absent: half a pitch, the longest port
-  /// vector, because a whole one leaves room for a cell.
-  std::optional<double> max_gap_m;
-  /// Each of the two ports points at the centre of the other's cell to within this angle. In a ring it is half of a
-  /// link's bend: 36 degrees with five cells.
-  double max_angle_rad = 0.7853981633974483;  ///< 45 degrees
-
-  /// Throws InvalidArgument naming the first value out of range.
-  void validate() const;
-};
-
 /// A closed chain of cells, or one that a link between two free ports would close (the paper's closed-loop test).
 struct FoundLoop {
   PatchId patch;
@@ -33,7 +20,10 @@ struct FoundLoop {
 
 /// The loops of every patch, those with the largest gaps first, open ones before closed ones; empty: no patch has one.
 ///
-/// Open: pairs of free ports of two cells of a patch that face each other, closed as by evaluateLoop().
+/// Open: pairs of free ports of two cells of a patch that face each other, closed as by evaluateLoop(). Their link
+/// points are no further apart than half a pitch, the longest port vector, because a whole one leaves room for a cell;
+/// and each points at the centre of the other's cell to within 45 degrees. In a ring that is half of a link's bend: 36
+/// degrees with five cells.
 ///
 /// Closed: for each used link that is not in the shortest-path tree, the shortest loop through it, so that every
 /// independent loop of the patch is there at least once. Its gap is the remainder when the loop is walked port vector
@@ -41,6 +31,6 @@ struct FoundLoop {
 /// model's s k (jointCost(); s = 0 if none was estimated). Positions play no part in it, so that a solver that has
 /// spread the gap over all links can't hide it. If a reconstruction has no tree (an imported one), any spanning tree is
 /// taken.
-std::vector<FoundLoop> findLoops(const Reconstruction& reconstruction, const LoopSearchOptions& options = {});
+std::vector<FoundLoop> findLoops(const Reconstruction& reconstruction);
 
 }  // namespace hexoderm

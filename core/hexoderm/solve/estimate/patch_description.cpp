@@ -49,7 +49,7 @@ std::vector<GravityDirection> jointGravity(const SkinLinks& skin, const GlobalRe
     const Eigen::Vector3d& force = solution.state.force_o[k];
     const Eigen::Vector3d up = force.normalized();
     // Across the direction: [up]x takes what lies along it away.
-    const Eigen::Matrix3d across = skew(up) * solution.covariance->force(k) * skew(up).transpose();
+    const Eigen::Matrix3d across = skew(up) * solution.covariance->forces(k, k) * skew(up).transpose();
     const Eigen::Vector3d swing = solution.state.acceleration_o[k] / kStandardGravity;
     directions.push_back({skin.poseId(joint.poses()[k]), up, rotationSigma(across) / force.norm(),
                           GravityDirection::Force{force - swing.cross(solution.state.middle_o), swing}});

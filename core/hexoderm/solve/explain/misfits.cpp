@@ -33,7 +33,6 @@ std::optional<BadSensor> worstSensor(const SkinLinks& skin, const PatchSolver& p
   for (const std::size_t cell : patch.cells()) {
     if (!skin.readings().measured(cell) || skin.table().usablePoseCount(cell) < 2) continue;
     if (std::ranges::count(but, cell) > 0) continue;
-    if (joint.mostMisfitOf(cell).deviate() <= worst_misfit) continue;
     const Misfit found = joint.misfitOf(cell);
     const double misfit = found.deviate();
     if (misfit <= worst_misfit || found.chi_squared < kMinChiSquaredPerDegree * found.degrees) continue;

@@ -33,6 +33,43 @@ double twiceCostOf(const GlobalProblem& problem, const GlobalState& state, const
   return problem.loss.cost(closure.squaredNorm()) + problem.loss.cost(elastomer.squaredNorm());
 }
 
+double priorCost(const GlobalProblem& problem, const GlobalState& state) {
+  double squared = 0;
+  if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
+  for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
+  if (problem.accelerations) {
+    for (const Eigen::Vector3d& a : state.acceleration_o) {
+      squared += a.squaredNorm() / std::pow(problem.acceleration_sigma, 2);
+    }
+  }
+  return squared / 2;
+}
+
+/// Makes room, with the priorCost() and the priors of the forces.
+void startEquations(const GlobalProblem& problem, const GlobalState& state, NormalEquations& equations) {
+  const BorderLayout layout(problem);
+  const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
+  equations.cells.assign(problem.cellCount(), Matrix6d::Zero());
+  equations.cells[problem.origin].setIdentity();
+  equations.links.assign(problem.links.size(), Matrix6d::Zero());
+  equations.border_cells.setZero(rows, layout.size());
+  equations.border.setZero(layout.size(), layout.size());
+  equations.gradient_cells.setZero(rows);
+  equations.gradient_border.setZero(layout.size());
+  equations.cost = priorCost(problem, state);
+  // A pose of which the last reading was left out has no direction; a little curvature keeps it where it is.
+  constexpr double kMinCurvature = 1e-3;
+  const double precision = 1 / std::pow(problem.force_sigma_g, 2);
+  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
+    const Eigen::Index at = layout.force(pose);
+    const double norm = state.force_o[pose].norm();
+    const Eigen::Vector3d up = state.force_o[pose] / norm;
+    equations.border.block<3, 3>(at, at) +=
+        precision * up * up.transpose() + kMinCurvature * Eigen::Matrix3d::Identity();
+    equations.gradient_border.segment<3>(at) += precision * (norm - 1) * up;
+  }
+}
+
 }  // namespace
 
 BorderLayout::BorderLayout(const GlobalProblem& problem)
@@ -48,18 +85,6 @@ void fitCell(const GlobalProblem& problem, const AccelerometerPrior& prior, cons
     sensor.v_g[k] = R_a_o * specificForce(problem, state, cell, readings[k].pose);
   }
   fitAccelerometer(prior, readings, sensor.v_g, problem.loss, sensor.fit);
-}
-
-double priorCost(const GlobalProblem& problem, const GlobalState& state) {
-  double squared = 0;
-  if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
-  for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
-  if (problem.accelerations) {
-    for (const Eigen::Vector3d& a : state.acceleration_o) {
-      squared += a.squaredNorm() / std::pow(problem.acceleration_sigma, 2);
-    }
-  }
-  return squared / 2;
 }
 
 Eigen::Vector3d specificForce(const GlobalProblem& problem, const GlobalState& state, std::size_t cell,
@@ -95,51 +120,18 @@ double linkOpening_m(const GlobalProblem& problem, const GlobalState& state, std
   return openingOf_m(problem, state, problem.links[link]).norm();
 }
 
-void addLinks(const GlobalProblem& problem, const GlobalState& state, Eigen::Index share, NormalEquations& equations,
-              const LinearizeKernels& kernels) {
-  linearizeLinksInLanes(kernels, problem, state, share, equations);
-  if (!problem.gap.sigma) return;
-  const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
-  equations.border(share, share) += precision;
-  equations.gradient_border[share] += precision * (state.gap_share - problem.gap.mean);
-}
-
-void addForcePrior(const GlobalProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
-                   Eigen::Ref<Eigen::Vector3d> gradient) {
-  // A pose of which the last reading was left out has no direction; a little curvature keeps it where it is.
-  constexpr double kMinCurvature = 1e-3;
-  const double precision = 1 / std::pow(problem.force_sigma_g, 2);
-  const double norm = force_o.norm();
-  const Eigen::Vector3d up = force_o / norm;
-  matrix += precision * up * up.transpose() + kMinCurvature * Eigen::Matrix3d::Identity();
-  gradient += precision * (norm - 1) * up;
-}
-
-void startEquations(const GlobalProblem& problem, const GlobalState& state, Eigen::Index border,
-                    NormalEquations& equations) {
-  const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
-  equations.cells.assign(problem.cellCount(), Matrix6d::Zero());
-  equations.cells[problem.origin].setIdentity();
-  equations.links.assign(problem.links.size(), Matrix6d::Zero());
-  equations.border_cells.setZero(rows, border);
-  equations.border.setZero(border, border);
-  equations.gradient_cells.setZero(rows);
-  equations.gradient_border.setZero(border);
-  equations.cost = priorCost(problem, state);
-}
-
 void linearize(const GlobalProblem& problem, const GlobalState& state, NormalEquations& equations,
                const LinearizeKernels& kernels) {
   const BorderLayout layout(problem);
-  startEquations(problem, state, layout.size(), equations);
-  for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    const Eigen::Index at = layout.force(pose);
-    addForcePrior(problem, state.force_o[pose], equations.border.block<3, 3>(at, at),
-                  equations.gradient_border.segment<3>(at));
-  }
+  startEquations(problem, state, equations);
   linearizeCellsInLanes(kernels, problem, state, equations);
   equations.border.triangularView<Eigen::StrictlyUpper>() = equations.border.transpose();
-  addLinks(problem, state, layout.gapShare(), equations, kernels);
+  linearizeLinksInLanes(kernels, problem, state, equations);
+  if (problem.gap.sigma) {
+    const double precision = 1 / (*problem.gap.sigma * *problem.gap.sigma);
+    equations.border(layout.gapShare(), layout.gapShare()) += precision;
+    equations.gradient_border[layout.gapShare()] += precision * (state.gap_share - problem.gap.mean);
+  }
   if (problem.accelerations) {
     const double precision = 1 / (problem.acceleration_sigma * problem.acceleration_sigma);
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {

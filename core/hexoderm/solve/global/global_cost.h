@@ -108,21 +108,6 @@ void linearize(const GlobalProblem& problem, const GlobalState& state, NormalEqu
 /// The matrix of the equations: all cells' unknowns, then the border's.
 Eigen::MatrixXd denseMatrix(const GlobalProblem& problem, const NormalEquations& equations);
 
-// The parts of linearize() that the readings have no share in, for those who treat the readings in another way.
-
-/// Makes room for the cells, the links and so many unknowns in the border; with the priorCost().
-void startEquations(const GlobalProblem& problem, const GlobalState& state, Eigen::Index border,
-                    NormalEquations& equations);
-/// Of the jointCost(), what priors of forces, accelerations and the gap share cost.
-double priorCost(const GlobalProblem& problem, const GlobalState& state);
-/// Adds the cost of all links, their blocks and gradients, and the prior of the gap share, which stands at `share` in
-/// the border; without its cost, which priorCost() has.
-void addLinks(const GlobalProblem& problem, const GlobalState& state, Eigen::Index share, NormalEquations& equations,
-              const LinearizeKernels& kernels = linearizeKernels());
-/// Adds the prior of one pose's force.
-void addForcePrior(const GlobalProblem& problem, const Eigen::Vector3d& force_o, Eigen::Ref<Eigen::Matrix3d> matrix,
-                   Eigen::Ref<Eigen::Vector3d> gradient);
-
 /// state (+) step: R exp(dr), the rest added.
 GlobalState moved(const GlobalProblem& problem, const GlobalState& state, const Eigen::VectorXd& cells,
                   const Eigen::VectorXd& border);

@@ -3,7 +3,6 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/median.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/global/cells_first.h"
 #include "hexoderm/solve/global/elimination_plan.h"
 #include "hexoderm/solve/global/patch_evidence.h"
 #include "hexoderm/solve/global/shape_covariance.h"
@@ -32,6 +31,14 @@ constexpr double kForceSigmaOfLargePart_g = 0.03;
 // A hand that holds a part with several patches is near the middle of one of them at most: its turning, by a usual
 // tremor's angular acceleration, acts at arms of 0.15 m.
 constexpr double kForceSigmaOfSeveralPatches_g = 0.01;
+
+/// About how many multiplications a step of the solver takes: twelve errors of a sensor and six unknowns of a cell take
+/// their products from the dense border, which is then factorised; the sparse part is small beside it.
+double workOfStep(const GlobalProblem& problem) {
+  const auto border = static_cast<double>(BorderLayout(problem).size());
+  const auto cells = static_cast<double>(problem.cellCount());
+  return 9 * cells * border * border + border * border * border / 6;
+}
 
 /// The covariance of any two cells from that of the whole patch.
 class SolvedCovariance : public PlacementCovariance {
@@ -177,7 +184,7 @@ GlobalRefinement::GlobalRefinement(const CellModel& model, const SkinGraph& grap
   problem_->elimination = planElimination(*problem_);
   problem_->accelerations = cells_.size() > 1;
   const bool narrow = kFewCellsPerPose * poses_.size() <= cells_.size();
-  if (poses_.size() > kFewPoses && !(narrow && workOfCellsFirst(*problem_) <= kMaxWorkForAccelerations)) {
+  if (poses_.size() > kFewPoses && !(narrow && workOfStep(*problem_) <= kMaxWorkForAccelerations)) {
     problem_->accelerations = false;
   }
   problem_->acceleration_sigma = kTremorAcceleration_rad_s2;
@@ -282,16 +289,6 @@ void GlobalRefinement::leaveOut(std::size_t cell) {
 Misfit GlobalRefinement::misfitOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
   return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
-}
-
-Misfit GlobalRefinement::mostMisfitOf(std::size_t cell) const {
-  const std::size_t at = localOf(cell);
-  const std::vector<CellReading>& readings = problem_->readings[at];
-  if (readings.size() < 2) return {};
-  const AccelerometerFit& fit = sensors_[at].fit;
-  const AccelerometerPrior prior(problem_->model->accelerometer);
-  return {misfitWith(prior, readings, sensors_[at].v_g, fit.offset_g, fit.gain),
-          3 * static_cast<double>(readings.size()) - 3};
 }
 
 TurnBetweenPoses GlobalRefinement::turnOf(std::size_t cell) const {

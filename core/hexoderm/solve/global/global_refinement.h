@@ -33,8 +33,6 @@ class GlobalRefinement {
   /// Misfit of a cell's readings with the gravity that all others agree on, for the best attitude of the cell;
   /// meaningless with fewer than two readings.
   [[nodiscard]] Misfit misfitOf(std::size_t cell) const;
-  /// That is not more than this: the misfit at the estimate, which is quickly found.
-  [[nodiscard]] Misfit mostMisfitOf(std::size_t cell) const;
   /// The turn of a cell between two of its readings that explains them best; needs two readings.
   [[nodiscard]] TurnBetweenPoses turnOf(std::size_t cell) const;
   /// Per pose of poses(): rms over the cells of what it leaves unexplained, in standard deviations of its readings.

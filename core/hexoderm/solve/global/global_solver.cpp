@@ -1,8 +1,5 @@
 #include "hexoderm/solve/global/global_solver.h"
 
-#include "hexoderm/solve/global/cells_first.h"
-#include "hexoderm/solve/global/poses_first.h"
-
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -22,38 +19,13 @@ constexpr double kTimesNegligible = 10;
 
 }  // namespace
 
-GlobalOrder cheaperOrder(const GlobalProblem& problem) {
-  // Forces of poses can be taken out one by one; an angular acceleration ties a pose to where its cells are.
-  if (problem.accelerations) return GlobalOrder::CellsFirst;
-  // Nor is there anything to be had from them where no cell but the origin has readings.
-  bool any = false;
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
-    any = any || (cell != problem.origin && !problem.readings[cell].empty());
-  }
-  if (!any) return GlobalOrder::CellsFirst;
-  return workOfPosesFirst(problem) < workOfCellsFirst(problem) ? GlobalOrder::PosesFirst : GlobalOrder::CellsFirst;
-}
-
-GlobalSystem& GlobalSolver::systemFor(GlobalOrder order) {
-  if (system_ == nullptr || order_ != order) {
-    system_ = order == GlobalOrder::CellsFirst ? makeCellsFirst() : makePosesFirst();
-    order_ = order;
-  }
-  return *system_;
-}
-
-void GlobalSolver::releaseWorkspace() {
-  if (system_ != nullptr) system_->releaseWorkspace();
-}
-
 std::shared_ptr<const GlobalCovariance> GlobalSolver::covarianceAt(const GlobalProblem& problem,
                                                                    const GlobalState& state) {
-  GlobalSystem& system = systemFor(GlobalOrder::CellsFirst);
-  system.linearize(problem, state);
-  system.accept();
-  factorizeWithLeastDamping([&](double least) { return system.factorize(least); });
-  auto covariance = system.inverse();
-  system.releaseWorkspace();
+  system_.linearize(problem, state);
+  system_.accept();
+  factorizeWithLeastDamping([&](double least) { return system_.factorize(least); });
+  auto covariance = system_.inverse();
+  releaseWorkspace();
   return covariance;
 }
 
@@ -65,9 +37,8 @@ bool GlobalSolver::descend(const GlobalProblem& problem, Refusal refusal, End en
   constexpr double kLargestDamping = 1e12;
   constexpr double kLittle = 1e-3;
 
-  GlobalSystem* const system = &systemFor(options.order ? *options.order : cheaperOrder(problem));
-  solution.cost = system->linearize(problem, solution.state);
-  system->accept();
+  solution.cost = system_.linearize(problem, solution.state);
+  system_.accept();
   solution.termination = GlobalTermination::StepLimit;
   Eigen::VectorXd cells;
   Eigen::VectorXd border;
@@ -83,8 +54,8 @@ bool GlobalSolver::descend(const GlobalProblem& problem, Refusal refusal, End en
     }
     ++solution.iterations;
     bool lowered = false;
-    if (settled || system->factorize(damping)) {
-      const double promised = system->step(cells, border);
+    if (settled || system_.factorize(damping)) {
+      const double promised = system_.step(cells, border);
       if (damping == 0) promised_undamped = promised;
       GlobalState next = moved(problem, solution.state, cells, border);
       const double little = crooked ? negligible(solution.cost) : 0;
@@ -97,14 +68,14 @@ bool GlobalSolver::descend(const GlobalProblem& problem, Refusal refusal, End en
         factor_is_at_optimum = true;
         break;
       }
-      const double next_cost = system->linearize(problem, next);
+      const double next_cost = system_.linearize(problem, next);
       lowered = next_cost <= solution.cost;  // false for NaN
       settled = lowered && damping == 0 && solution.cost - next_cost <= kLittle * solution.cost;
       const bool foretold =
           lowered && damping == 0 && next_cost - (solution.cost - promised) <= options.cost_tolerance * next_cost;
       if (lowered) {
         solution.state = std::move(next);
-        system->accept();
+        system_.accept();
         solution.cost = next_cost;
         if (foretold && end == End::WhereForetold) {
           solution.termination = GlobalTermination::Converged;
@@ -127,8 +98,8 @@ bool GlobalSolver::descend(const GlobalProblem& problem, Refusal refusal, End en
     }
   }
   if (!options.covariance || solution.termination == GlobalTermination::Stopped) return true;
-  if (!factor_is_at_optimum) factorizeWithLeastDamping([&](double least) { return system->factorize(least); });
-  solution.covariance = system->inverse();
+  if (!factor_is_at_optimum) factorizeWithLeastDamping([&](double least) { return system_.factorize(least); });
+  solution.covariance = system_.inverse();
   return true;
 }
 
@@ -169,11 +140,6 @@ GlobalSolution GlobalSolver::solve(const GlobalProblem& problem, const GlobalSta
   if (jointCost(problem, staged.state) < solution.cost) solution.state = std::move(staged.state);
   descend(problem, Refusal::Damps, End::AtOptimum, options, solution);
   return solution;
-}
-
-GlobalSolution solveJointly(const GlobalProblem& problem, const GlobalState& initial,
-                            const GlobalSolverOptions& options) {
-  return GlobalSolver().solve(problem, initial, options);
 }
 
 }  // namespace hexoderm

@@ -3,26 +3,17 @@
 #include "hexoderm/solve/global/global_system.h"
 
 #include <memory>
-#include <optional>
 #include <stop_token>
 
 namespace hexoderm {
-
-/// What is eliminated first in every step. Optimum and covariance are the same but for rounding.
-enum class GlobalOrder {
-  CellsFirst,  ///< time grows with the cube of the poses, nearly linearly with the cells
-  PosesFirst,  ///< time grows with the cube of the cells, linearly with the poses; without angular accelerations only
-};
-GlobalOrder cheaperOrder(const GlobalProblem& problem);
 
 struct GlobalSolverOptions {
   int max_iterations = 100;  ///< of every stage
   /// A step that promises to lower the cost by less than this share of it is the last. Where steps that promise less
   /// than a tenth of a nat, and 1e-5 of the cost, raise it, the last is one that promises less than a tenth of that.
   double cost_tolerance = 1e-8;
-  bool covariance = true;            ///< compute GlobalSolution::covariance
-  std::optional<GlobalOrder> order;  ///< absent: cheaperOrder()
-  std::stop_token stop;              ///< checked before every step; the state so far is the result, without covariance
+  bool covariance = true;  ///< compute GlobalSolution::covariance
+  std::stop_token stop;    ///< checked before every step; the state so far is the result, without covariance
 };
 
 enum class GlobalTermination {
@@ -51,7 +42,7 @@ class GlobalSolver {
   /// At a given state, without a step. Throws Error if its information matrix is not positive definite.
   std::shared_ptr<const GlobalCovariance> covarianceAt(const GlobalProblem& problem, const GlobalState& state);
   /// Gives back the memory that only further solutions would need.
-  void releaseWorkspace();
+  void releaseWorkspace() { system_ = {}; }
 
  private:
   enum class Refusal {
@@ -65,14 +56,8 @@ class GlobalSolver {
   /// False: ended by a refusal, without covariance.
   bool descend(const GlobalProblem& problem, Refusal refusal, End end, const GlobalSolverOptions& options,
                GlobalSolution& solution);
-  GlobalSystem& systemFor(GlobalOrder order);
 
-  GlobalOrder order_{};  ///< of the system
-  std::unique_ptr<GlobalSystem> system_;
+  GlobalSystem system_;
 };
-
-/// One solution by a GlobalSolver of its own.
-GlobalSolution solveJointly(const GlobalProblem& problem, const GlobalState& initial,
-                            const GlobalSolverOptions& options = {});
 
 }  // namespace hexoderm

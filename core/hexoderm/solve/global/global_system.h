@@ -5,65 +5,116 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 
+class BorderedFactor;
+
 /// The inverse of the information matrix at the optimum: how uncertain every unknown is, and how they depend on each
 /// other. Keeps the factor, so that the covariance of any two cells can still be asked for. The rest is computed when
-/// it is first asked for. May be read by several threads.
+/// it is first asked for: of several solutions in a row only the last one's is. May be read by several threads.
 class GlobalCovariance {
  public:
-  virtual ~GlobalCovariance() = default;
+  /// Where and how the factor was made, to make it once more.
+  struct FactorOrigin {
+    GlobalState state;
+    double damping = 0;
+  };
+  GlobalCovariance(const GlobalProblem& problem, std::shared_ptr<BorderedFactor> factor, FactorOrigin made);
 
   /// 6 x 6 per cell: position in the patch frame, then rotation (R_true = R exp(e)); zero for the origin.
-  [[nodiscard]] virtual const Matrix6d& cell(std::size_t cell) const = 0;
+  [[nodiscard]] const Matrix6d& cell(std::size_t cell) const { return parts().cells[cell]; }
   /// Cross-covariance of a link's two cells, rows c, columns n.
-  [[nodiscard]] virtual const Matrix6d& link(std::size_t link) const = 0;
+  [[nodiscard]] const Matrix6d& link(std::size_t link) const { return parts().links[link]; }
   /// Cross-covariance of any two cells, rows a, columns b. Two triangular solves each.
-  [[nodiscard]] virtual Matrix6d between(std::size_t a, std::size_t b) const = 0;
+  [[nodiscard]] Matrix6d between(std::size_t a, std::size_t b) const;
   /// The covariance of all cells, 6 N x 6 N in the order of cell() with the origin's rows and columns zero, times B
   /// (6 N x m). Takes a solution with the factor.
-  [[nodiscard]] virtual Eigen::MatrixXd timesCells(Eigen::MatrixXd B) const = 0;
-  /// Covariance of the specific force of a pose, patch frame, g^2.
-  [[nodiscard]] virtual Eigen::Matrix3d force(std::size_t pose) const = 0;
-  /// Cross-covariance of the specific forces of two poses, rows a, columns b: the sensors' errors are the same in all
-  /// poses.
-  [[nodiscard]] virtual Eigen::Matrix3d forces(std::size_t a, std::size_t b) const = 0;
+  [[nodiscard]] Eigen::MatrixXd timesCells(Eigen::MatrixXd B) const;
+  /// Covariance of the specific forces of two poses, patch frame, g^2, rows a, columns b: the sensors' errors are the
+  /// same in all poses.
+  [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const;
   /// Covariance of the angular acceleration of a pose, patch frame, (rad/s^2)^2; only if they are estimated.
-  [[nodiscard]] virtual Eigen::Matrix3d acceleration(std::size_t pose) const = 0;
-  [[nodiscard]] virtual double gapShareSigma() const = 0;  ///< 0 if it is not estimated
+  [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
+  [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
 
   /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
   /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:
   /// that of the solution, which must not change any more; it has to keep its model alive. After
   /// GlobalSolver::releaseWorkspace() the factor's memory serves for what is computed: nobody else may ask anything
   /// while the first call goes on.
-  virtual void keepProblemInstead(std::shared_ptr<const GlobalProblem> /*problem*/) const {}
+  void keepProblemInstead(std::shared_ptr<const GlobalProblem> problem) const;
+
+ private:
+  struct Parts {
+    std::vector<Matrix6d> cells;
+    std::vector<Matrix6d> links;
+  };
+
+  [[nodiscard]] std::shared_ptr<BorderedFactor> factor() const;
+  [[nodiscard]] std::shared_ptr<BorderedFactor> finishedFactor() const;
+  /// The finished factor, which is made from the problem when it is needed again.
+  [[nodiscard]] std::shared_ptr<BorderedFactor> givenUpFactor(
+      const std::shared_ptr<const GlobalProblem>& problem) const;
+  /// Under the lock.
+  const std::shared_ptr<BorderedFactor>& knownFactor() const;
+  const Eigen::MatrixXd& border() const;
+  [[nodiscard]] const Parts& parts() const;
+  /// A factor that nobody else has is used up.
+  [[nodiscard]] Parts compute(std::shared_ptr<BorderedFactor> factor) const;
+
+  std::size_t origin_;
+  std::size_t cells_;
+  BorderLayout layout_;
+  bool estimates_gap_share_;
+  std::vector<std::pair<std::size_t, std::size_t>> link_ends_;
+  std::shared_ptr<const EliminationPlan> plan_;
+  FactorOrigin made_;
+  mutable std::mutex factor_mutex_;
+  mutable std::shared_ptr<const GlobalProblem> problem_;  ///< where there may be no factor
+  mutable std::shared_ptr<BorderedFactor> factor_;        ///< null: to be made from the problem
+  mutable std::once_flag computed_;
+  mutable Parts parts_;
+  mutable std::once_flag border_computed_;
+  mutable Eigen::MatrixXd border_;
 };
 
-/// The second-order model of jointCost() about a state (Gauss-Newton), factorised in one order of its unknowns or
-/// another: which one costs less is a matter of how many cells and poses there are, and nothing but rounding depends on
-/// it. Serves all problems with the same cells, links and model of accelerometers, one after the other, and keeps its
-/// memory between them.
+/// The second-order model of jointCost() about a state (Gauss-Newton), factorised: sensors and cells are eliminated
+/// first, as a sparse matrix with 6 x 6 blocks for the cells, and a dense one of all poses' unknowns and the gap share
+/// is left. Serves all problems with the same cells, links and model of accelerometers, one after the other, and keeps
+/// its memory between them. Equations are large, so there are those of one state at a time: where a candidate is
+/// refused, those of the state before are made once more.
 class GlobalSystem {
  public:
-  virtual ~GlobalSystem() = default;
-
   /// Models the cost about a candidate for the next state; the cost there, which may be NaN.
-  virtual double linearize(const GlobalProblem& problem, const GlobalState& candidate) = 0;
+  double linearize(const GlobalProblem& problem, const GlobalState& candidate);
   /// From now on the candidate's model counts.
-  virtual void accept() = 0;
+  void accept();
   /// With the diagonal raised by `damping` times itself. False, and no factor: not positive definite.
-  virtual bool factorize(double damping) = 0;
+  bool factorize(double damping);
   /// The step that takes the gradient away, by the latest factor; the latest model must have been accepted, or the
   /// factor made since. Returns by how much it promises to lower the cost.
-  virtual double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const = 0;
+  double step(Eigen::VectorXd& cells, Eigen::VectorXd& border) const;
   /// From the latest factor, which takes no further step(). While somebody keeps it, the next one is made in other
   /// memory.
-  virtual std::shared_ptr<const GlobalCovariance> inverse() = 0;
-  /// Gives back the memory that only further solutions would need.
-  virtual void releaseWorkspace() = 0;
+  std::shared_ptr<const GlobalCovariance> inverse();
+
+ private:
+  const GlobalProblem* problem_ = nullptr;  ///< the latest
+  std::shared_ptr<BorderedFactor> factor_;
+  GlobalCovariance::FactorOrigin made_;
+  NormalEquations equations_;
+  bool of_state_ = false;  ///< the equations are whole, and those of the state
+  GlobalState state_;
+  GlobalState candidate_;
 };
+
+/// The covariances of all cells at a given state (GlobalCovariance::cell()), by the least memory that they take. Throws
+/// Error if its information matrix is not positive definite, which priors prevent.
+std::vector<Matrix6d> cellCovariancesAt(const GlobalProblem& problem, const GlobalState& state);
 
 /// Factorises the information matrix at an optimum with as little damping as it takes. Priors keep the matrix positive
 /// definite; rounding may not, where hardly anything but priors speaks. `factorize`: bool of the damping. Throws

@@ -251,11 +251,11 @@ class CellsInLanes {
 class LinksInLanes {
  public:
   LinksInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
-               Eigen::Index share, NormalEquations& equations)
+               NormalEquations& equations)
       : kernels_(kernels),
         problem_(problem),
         state_(state),
-        share_(share),
+        share_(BorderLayout(problem).gapShare()),
         equations_(equations),
         setting_(problem, state),
         R_c_(9, kernels.lanes),
@@ -337,8 +337,8 @@ void linearizeCellsInLanes(const LinearizeKernels& kernels, const GlobalProblem&
 }
 
 void linearizeLinksInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
-                           Eigen::Index share, NormalEquations& equations) {
-  LinksInLanes(kernels, problem, state, share, equations).run();
+                           NormalEquations& equations) {
+  LinksInLanes(kernels, problem, state, equations).run();
 }
 
 }  // namespace hexoderm

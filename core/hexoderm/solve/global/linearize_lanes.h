@@ -11,8 +11,8 @@ namespace hexoderm {
 void linearizeCellsInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
                            NormalEquations& equations);
 
-/// Adds what links say, with the gap share at `share` in the border.
+/// Adds what links say.
 void linearizeLinksInLanes(const LinearizeKernels& kernels, const GlobalProblem& problem, const GlobalState& state,
-                           Eigen::Index share, NormalEquations& equations);
+                           NormalEquations& equations);
 
 }  // namespace hexoderm

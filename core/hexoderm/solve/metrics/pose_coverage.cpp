@@ -195,15 +195,6 @@ std::optional<Eigen::Vector3d> currentUp(const Reconstruction& reconstruction, s
   return upFrom(reconstruction, means, [](const GravitySample& sample) { return sample.mean_g; });
 }
 
-PartTurn partTurn(const Eigen::Vector3d& from_up_o, const Eigen::Vector3d& to_up_o) {
-  // The part's turn takes what is to be up to where up is now.
-  const Eigen::Vector3d w = logSO3(shortestRotation(to_up_o, from_up_o));
-  PartTurn turn;
-  turn.angle_rad = w.norm();
-  turn.axis_o = turn.angle_rad > 1e-12 ? Eigen::Vector3d(w / turn.angle_rad) : from_up_o.unitOrthogonal();
-  return turn;
-}
-
 std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconstruction& reconstruction,
                                          const std::optional<Eigen::Vector3d>& current_up_o) {
   constexpr double kOpposite = 30 * kDegree;
@@ -214,9 +205,9 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
   next.at = onDisc(advice.up);
   next.target = clearestFacing(*patch, advice.up);
   if (current_up_o) {
-    next.turn = partTurn(*current_up_o, advice.up);
+    next.turn_rad = angleBetween(*current_up_o, advice.up);
   } else if (!patch->gravity.empty()) {
-    next.turn = partTurn(patch->gravity.back().g_o, advice.up);
+    next.turn_rad = angleBetween(patch->gravity.back().g_o, advice.up);
   }
   next.sigma_now_rad = advice.sigma_now_rad;
   next.sigma_then_rad = advice.sigma_then_rad;

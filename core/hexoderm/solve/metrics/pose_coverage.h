@@ -123,21 +123,14 @@ enum class PoseGain {
   Further,          ///< averages out what is left
 };
 
-/// A turn of the part by a right-handed rotation about a horizontal axis.
-struct PartTurn {
-  double angle_rad = 0;
-  Eigen::Vector3d axis_o = Eigen::Vector3d::UnitX();  ///< unit, horizontal before and after
-};
-/// The smallest turn that brings the part from one up direction to another. About gravity it does not turn. From a
-/// direction to its opposite any horizontal axis will do: one of them.
-PartTurn partTurn(const Eigen::Vector3d& from_up_o, const Eigen::Vector3d& to_up_o);
-
 /// The next pose in the operator's terms.
 struct NextPose {
   Eigen::Vector3d up_o = Eigen::Vector3d::UnitZ();
   DiscPoint at;
-  CellFacing target;             ///< "so that cell 7 faces the floor"
-  std::optional<PartTurn> turn;  ///< from where the part is, or from the last pose; none if neither is known
+  CellFacing target;  ///< "so that cell 7 faces the floor"
+  /// The smallest turn, about a horizontal axis, from where the part is, or from the last pose; none if neither is
+  /// known.
+  std::optional<double> turn_rad;
   PoseGain gain = PoseGain::First;
   std::optional<PoseId> opposite_of;  ///< for Opposite
   double sigma_now_rad = 0;           ///< see PoseAdvice

@@ -21,7 +21,7 @@ double costByCeres(CeresOracle& oracle) {
 
 /// From one start both must end at one cost, and neither can improve what the other found.
 void expectSameOptimum(const GlobalProblem& problem, const GlobalState& start, const std::string& what) {
-  const GlobalSolution ours = solveJointly(problem, start);
+  const GlobalSolution ours = GlobalSolver().solve(problem, start);
   EXPECT_EQ(ours.termination, GlobalTermination::Converged) << what;
   CeresOracle oracle(problem, start);
   const double ceres_cost = costByCeres(oracle);
@@ -30,7 +30,8 @@ void expectSameOptimum(const GlobalProblem& problem, const GlobalState& start, c
 
   CeresOracle onwards(problem, ours.state);
   EXPECT_LT(1 - costByCeres(onwards) / ours.cost, 1e-6) << what << ": Ceres improves our optimum";
-  EXPECT_LT(1 - solveJointly(problem, oracle.state()).cost / ceres_cost, 1e-6) << what << ": we improve Ceres' optimum";
+  EXPECT_LT(1 - GlobalSolver().solve(problem, oracle.state()).cost / ceres_cost, 1e-6)
+      << what << ": we improve Ceres' optimum";
 }
 
 TEST(GlobalSolverAgainstCeres, SameOptimumWithEveryGapModel) {

@@ -55,7 +55,7 @@ TEST(GlobalSolver, ExactDataWithoutPriorsComeBackExactly) {
         example.problem.origin = 3;
         addExactReadings(example, orthogonalUps(poses));
         const GlobalSolution solution =
-            solveJointly(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, poses));
+            GlobalSolver().solve(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, poses));
         const Deviation deviation = deviationOf(solution.state, example.truth);
         const std::string what = std::string(closed ? "ring, " : "x17, ") + nameOf(gap) + ", " + std::to_string(poses);
         EXPECT_LE(deviation.orientation_rad, 1e-6 * kDegree) << what;
@@ -125,7 +125,7 @@ TEST(GlobalSolver, DefaultPriorsHardlyPullExactData) {
         GlobalCase example = shape.make(gap.mean);
         example.problem.gap = gap;
         addExactReadings(example, orthogonalUps(kPoses[k]));
-        const GlobalSolution solution = solveJointly(example.problem, example.truth);
+        const GlobalSolution solution = GlobalSolver().solve(example.problem, example.truth);
         const Deviation deviation = deviationOf(solution.state, example.truth);
         const std::string what =
             std::string(shape.name) + ", " + nameOf(gap) + ", " + std::to_string(kPoses[k]) + " poses";
@@ -181,8 +181,17 @@ TEST(GlobalCovariance, IsTheInverseOfTheNormalEquations) {
         const BorderLayout layout(example.problem);
         const auto border = static_cast<Eigen::Index>(6 * count);
         for (std::size_t pose = 0; pose < example.problem.poses; ++pose) {
-          const Eigen::Index at = border + layout.force(pose);
-          expectNear(covariance.force(pose), C.block<3, 3>(at, at), "pose " + std::to_string(pose));
+          const auto forcesOf = [&](std::size_t a, std::size_t b) -> Eigen::Matrix3d {
+            return C.block<3, 3>(border + layout.force(a), border + layout.force(b));
+          };
+          for (std::size_t other = 0; other < example.problem.poses; ++other) {
+            const double full = std::sqrt(forcesOf(pose, pose).norm() * forcesOf(other, other).norm());
+            EXPECT_LE((covariance.forces(pose, other) - forcesOf(pose, other)).norm(), 1e-9 * full)
+                << patch << ", poses " << pose << " and " << other;
+          }
+          if (!accelerations) continue;
+          const Eigen::Index at = border + layout.acceleration(pose);
+          expectNear(covariance.acceleration(pose), C.block<3, 3>(at, at), "pose " + std::to_string(pose));
         }
         const Eigen::Index share = border + layout.gapShare();
         EXPECT_NEAR(covariance.gapShareSigma(), gap.sigma ? std::sqrt(C(share, share)) : 0, 1e-9);
@@ -232,7 +241,7 @@ void expectSane(const GlobalProblem& problem, const GlobalSolution& solution, co
   }
   for (std::size_t k = 0; k < problem.links.size(); ++k) EXPECT_TRUE(solution.covariance->link(k).allFinite()) << what;
   for (std::size_t pose = 0; pose < problem.poses; ++pose) {
-    EXPECT_TRUE(solution.covariance->force(pose).allFinite()) << what << ", pose " << pose;
+    EXPECT_TRUE(solution.covariance->forces(pose, pose).allFinite()) << what << ", pose " << pose;
     EXPECT_NEAR(solution.state.force_o[pose].norm(), 1, 0.05) << what;
   }
   EXPECT_TRUE(std::isfinite(solution.covariance->gapShareSigma())) << what;
@@ -267,7 +276,7 @@ TEST(GlobalSolver, PosesThatSayLittleLeaveLargeUncertainties) {
           example.problem.accelerations = accelerations;
           addExactReadings(example, poses.ups);
           const GlobalSolution solution =
-              solveJointly(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 9));
+              GlobalSolver().solve(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 9));
           const std::string what = std::string(poses.name) + ", " + nameOf(gap) + (closed ? ", ring" : ", x17");
           expectSane(example.problem, solution, what);
           if (closed) continue;
@@ -284,23 +293,23 @@ TEST(GlobalSolver, APoseThatNoCellReadsAnyMoreStaysUnknown) {
   GlobalCase example = simulatedCase(test::skinOptions("x17"), 4, kFitGap);
   GlobalCase fewer = simulatedCase(test::skinOptions("x17"), 3, kFitGap);
   for (auto& readings : example.problem.readings) readings.pop_back();
-  const GlobalSolution solution = solveJointly(example.problem, example.truth);
+  const GlobalSolution solution = GlobalSolver().solve(example.problem, example.truth);
   expectSane(example.problem, solution, "pose without readings");
   // Its length is still about 1 g; its direction is anyone's guess.
-  EXPECT_GT(solution.covariance->force(3).trace(), 100);
-  const GlobalSolution without = solveJointly(fewer.problem, fewer.truth);
+  EXPECT_GT(solution.covariance->forces(3, 3).trace(), 100);
+  const GlobalSolution without = GlobalSolver().solve(fewer.problem, fewer.truth);
   EXPECT_NEAR(solution.cost, without.cost, 1e-9 * without.cost);
   EXPECT_LT(deviationOf(solution.state, without.state).position_m, 1e-9);
 }
 
 TEST(GlobalSolver, TheStartDoesNotMatter) {
   GlobalCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06"), 3, kFitGap);
-  const GlobalSolution near = solveJointly(example.problem, example.truth);
+  const GlobalSolution near = GlobalSolver().solve(example.problem, example.truth);
   // The way is long if most links are beyond the loss's threshold.
   const auto patient = test::with(&GlobalSolverOptions::max_iterations, 300);
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     const GlobalSolution far =
-        solveJointly(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
+        GlobalSolver().solve(example.problem, perturbed(example.problem, example.truth, 0.2, 0.005, seed), patient);
     EXPECT_NEAR(far.cost, near.cost, 1e-7 * near.cost) << "seed " << seed;
     EXPECT_LT(deviationOf(far.state, near.state).position_m, 1e-6) << "seed " << seed;
     EXPECT_EQ(far.termination, GlobalTermination::Converged) << "seed " << seed;
@@ -313,99 +322,14 @@ TEST(GlobalSolver, StopsWhereItIsWhenAsked) {
   source.request_stop();
   const GlobalState start = perturbed(example.problem, example.truth, 0.1, 0.001, 3);
   const GlobalSolution solution =
-      solveJointly(example.problem, start, test::with(&GlobalSolverOptions::stop, source.get_token()));
+      GlobalSolver().solve(example.problem, start, test::with(&GlobalSolverOptions::stop, source.get_token()));
   EXPECT_EQ(solution.termination, GlobalTermination::Stopped);
   EXPECT_EQ(solution.iterations, 0);
   EXPECT_EQ(solution.state.cells[4].t, start.cells[4].t);
   EXPECT_EQ(solution.covariance, nullptr) << "nobody waits for it";
-  EXPECT_EQ(solveJointly(example.problem, start, test::with(&GlobalSolverOptions::max_iterations, 1)).termination,
-            GlobalTermination::StepLimit);
-}
-
-/// A simulated skin whose readings are as mixed as they get: some are missing, some far off, some less certain; a cell
-/// and a pose have none.
-GlobalCase mixedCase(const char* patch, std::size_t poses, const GapShare& gap) {
-  GlobalCase example = simulatedCase(test::skinOptions(patch), poses, gap);
-  test::NormalDraw draw(poses);
-  GlobalProblem& problem = example.problem;
-  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
-    for (CellReading& reading : problem.readings[cell]) {
-      const double kind = draw.normal();
-      if (kind > 2) reading.y_g += 0.3 * draw.vector();
-      if (kind < -1.5) reading.variance_g2 *= 4;
-    }
-    std::erase_if(problem.readings[cell], [&](const CellReading& reading) {
-      return (reading.pose + cell) % 11 == 5 || (poses > 3 && reading.pose == 2);
-    });
-  }
-  problem.readings[1].clear();
-  return example;
-}
-
-TEST(GlobalOrder, OptimumAndCovarianceAreTheSameInBothOrders) {
-  for (const char* patch : {"x17", "ring8:closed", "sheet:3x4"}) {
-    for (const std::size_t poses : {2U, 4U, 40U}) {
-      for (const GapShare& gap : {kFitGap, kArcGap}) {
-        const GlobalCase example = mixedCase(patch, poses, gap);
-        const auto solveBy = [&](GlobalOrder order) {
-          return solveJointly(example.problem, example.truth, test::with(&GlobalSolverOptions::order, order));
-        };
-        const GlobalSolution a = solveBy(GlobalOrder::CellsFirst);
-        const GlobalSolution b = solveBy(GlobalOrder::PosesFirst);
-        const std::string what = std::string(patch) + ", " + std::to_string(poses) + " poses, " + nameOf(gap);
-        expectSane(example.problem, b, what);
-        EXPECT_EQ(a.iterations, b.iterations) << what;
-        EXPECT_NEAR(b.cost, a.cost, 1e-9 * a.cost) << what;
-        const auto expectNear = [&](const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double full,
-                                    const std::string& name) {
-          EXPECT_LE((actual - expected).norm(), 1e-6 * full) << what << ", " << name;
-        };
-        for (std::size_t cell = 0; cell < example.problem.cellCount(); ++cell) {
-          const std::string name = "cell " + std::to_string(cell);
-          EXPECT_LT((a.state.cells[cell].t - b.state.cells[cell].t).norm(), 1e-8) << what << ", " << name;
-          EXPECT_LT(rotationAngle(a.state.cells[cell].R.transpose() * b.state.cells[cell].R), 1e-6) << what << name;
-          const Matrix6d& own = a.covariance->cell(cell);
-          expectNear(b.covariance->cell(cell), own, own.norm(), name);
-          const double full = std::sqrt(own.norm() * a.covariance->cell(0).norm());
-          expectNear(b.covariance->between(0, cell), a.covariance->between(0, cell), full, name + " and 0");
-        }
-        for (std::size_t k = 0; k < example.problem.links.size(); ++k) {
-          const GlobalLink& link = example.problem.links[k];
-          const double full = std::sqrt(a.covariance->cell(link.c).norm() * a.covariance->cell(link.n).norm());
-          expectNear(b.covariance->link(k), a.covariance->link(k), full, "link " + std::to_string(k));
-        }
-        for (std::size_t pose = 0; pose < poses; ++pose) {
-          const Eigen::Matrix3d own = a.covariance->force(pose);
-          expectNear(b.covariance->force(pose), own, own.norm(), "pose " + std::to_string(pose));
-          expectNear(b.covariance->forces(pose, 0), a.covariance->forces(pose, 0),
-                     std::sqrt(own.norm() * a.covariance->force(0).norm()), "poses " + std::to_string(pose) + " and 0");
-        }
-        EXPECT_NEAR(b.covariance->gapShareSigma(), a.covariance->gapShareSigma(), 1e-7) << what;
-        const Eigen::MatrixXd B =
-            Eigen::MatrixXd::Identity(static_cast<Eigen::Index>(6 * example.problem.cellCount()), 20);
-        const Eigen::MatrixXd times_b = a.covariance->timesCells(B);
-        expectNear(b.covariance->timesCells(B), times_b, times_b.norm(), "all cells");
-      }
-    }
-  }
-}
-
-TEST(GlobalOrder, FollowsTheSizes) {
-  const auto orderOf = [](std::size_t cells, std::size_t poses, bool accelerations, std::size_t readings = 1) {
-    GlobalProblem problem;
-    problem.readings.assign(cells, std::vector<CellReading>(readings));
-    problem.poses = poses;
-    problem.gap = kFitGap;
-    problem.accelerations = accelerations;
-    return cheaperOrder(problem);
-  };
-  EXPECT_EQ(orderOf(17, 4, false), GlobalOrder::CellsFirst);
-  EXPECT_EQ(orderOf(10'000, 6, false), GlobalOrder::CellsFirst);
-  EXPECT_EQ(orderOf(17, 3000, false), GlobalOrder::PosesFirst);
-  EXPECT_EQ(orderOf(100, 1000, false), GlobalOrder::PosesFirst);
-  EXPECT_EQ(orderOf(17, 3000, true), GlobalOrder::CellsFirst) << "accelerations tie poses to places";
-  EXPECT_EQ(orderOf(17, 3000, false, 0), GlobalOrder::CellsFirst) << "there is nothing to eliminate";
-  EXPECT_EQ(orderOf(1, 3000, false), GlobalOrder::CellsFirst) << "the origin does not move";
+  EXPECT_EQ(
+      GlobalSolver().solve(example.problem, start, test::with(&GlobalSolverOptions::max_iterations, 1)).termination,
+      GlobalTermination::StepLimit);
 }
 
 }  // namespace

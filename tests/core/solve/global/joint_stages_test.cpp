@@ -62,13 +62,13 @@ class TreeStart : SimulatedSession {
 double strictCost(const TreeStart& start) {
   const auto strict = test::with(&GlobalSolverOptions::cost_tolerance, 1e-12, &GlobalSolverOptions::max_iterations, 300,
                                  &GlobalSolverOptions::covariance, false);
-  return solveJointly(start.problem(), start.truth(), strict).cost;
+  return GlobalSolver().solve(start.problem(), start.truth(), strict).cost;
 }
 
 void expectFewSteps(int side, std::size_t poses, int seed, int most) {
   const TreeStart start(side, poses, seed);
   const GlobalSolution solution =
-      solveJointly(start.problem(), start.state(), test::with(&GlobalSolverOptions::covariance, false));
+      GlobalSolver().solve(start.problem(), start.state(), test::with(&GlobalSolverOptions::covariance, false));
   EXPECT_EQ(solution.termination, GlobalTermination::Converged) << "seed " << seed;
   EXPECT_LE(solution.iterations, most) << "seed " << seed;
   EXPECT_LE(solution.cost, strictCost(start) * (1 + 1e-6)) << "seed " << seed;
@@ -87,8 +87,8 @@ TEST(GlobalStages, GrossErrorsDoNotLeadTheStagesAway) {
   for (std::size_t cell = 7; cell < problem.cellCount(); cell += 50) problem.readings[cell][1].y_g *= -1;
   // Readings that are wrong, but not yet freed, leave a long valley to the last digits: what counts is where it ends.
   const auto options = test::with(&GlobalSolverOptions::covariance, false, &GlobalSolverOptions::max_iterations, 300);
-  const GlobalSolution solution = solveJointly(problem, start.state(), options);
-  const double reference = solveJointly(problem, start.truth(), options).cost;
+  const GlobalSolution solution = GlobalSolver().solve(problem, start.state(), options);
+  const double reference = GlobalSolver().solve(problem, start.truth(), options).cost;
   EXPECT_EQ(solution.termination, GlobalTermination::Converged);
   EXPECT_LE(solution.cost, reference * (1 + 1e-6));
 }

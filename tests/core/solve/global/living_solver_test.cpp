@@ -1,6 +1,5 @@
 // One GlobalSolver for many solutions, and covariances that outlive its factors.
 
-#include "hexoderm/solve/global/cells_first.h"
 #include "hexoderm/solve/global/global_solver.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/solve/global/joint_case.h"
@@ -37,24 +36,13 @@ TEST(LivingJointSolver, SolvesOneProblemAfterAnotherAsNewSolversDo) {
   for (const std::size_t poses : {2U, 3U, 5U, 3U}) cases.push_back(sheetInPoses(poses));
   for (const GlobalCase& example : cases) kept.push_back(solver.solve(example.problem, example.truth));
   for (std::size_t k = 0; k < cases.size(); ++k) {
-    expectSame(kept[k], solveJointly(cases[k].problem, cases[k].truth), cases[k].problem);
+    expectSame(kept[k], GlobalSolver().solve(cases[k].problem, cases[k].truth), cases[k].problem);
   }
   kept.clear();  // from here on the factor's memory is used again
   for (const GlobalCase& example : cases) {
-    expectSame(solver.solve(example.problem, example.truth), solveJointly(example.problem, example.truth),
+    expectSame(solver.solve(example.problem, example.truth), GlobalSolver().solve(example.problem, example.truth),
                example.problem);
     solver.releaseWorkspace();
-  }
-}
-
-TEST(LivingJointSolver, TheOrderMayChangeBetweenSolutions) {
-  GlobalCase example = sheetInPoses(4);
-  example.problem.accelerations = false;
-  GlobalSolver solver;
-  for (const GlobalOrder order : {GlobalOrder::PosesFirst, GlobalOrder::CellsFirst, GlobalOrder::PosesFirst}) {
-    const auto options = test::with(&GlobalSolverOptions::order, order);
-    expectSame(solver.solve(example.problem, example.truth, options),
-               solveJointly(example.problem, example.truth, options), example.problem);
   }
 }
 
@@ -79,7 +67,7 @@ struct GivenBack {
   std::shared_ptr<const GlobalProblem> problem = std::make_shared<const GlobalProblem>(example.problem);
   GlobalSolver solver;
   GlobalSolution solution = solver.solve(*problem, example.truth);
-  GlobalSolution whole = solveJointly(*problem, example.truth);
+  GlobalSolution whole = GlobalSolver().solve(*problem, example.truth);
 };
 
 TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
@@ -95,7 +83,7 @@ TEST(LivingJointSolver, AFactorMadeOnceMoreIsTheSame) {
   const auto size = static_cast<Eigen::Index>(6 * problem->cellCount());
   const Eigen::MatrixXd B = Eigen::MatrixXd::Identity(size, 7);
   EXPECT_EQ(solution.covariance->timesCells(B), whole.covariance->timesCells(B));
-  EXPECT_EQ(solution.covariance->force(1), whole.covariance->force(1));
+  EXPECT_EQ(solution.covariance->forces(1, 2), whole.covariance->forces(1, 2));
   EXPECT_EQ(solution.covariance->gapShareSigma(), whole.covariance->gapShareSigma());
   std::vector<std::thread> readers;
   for (std::size_t reader = 0; reader < 3; ++reader) {

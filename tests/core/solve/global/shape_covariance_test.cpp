@@ -46,7 +46,7 @@ GlobalCase x17Case(std::uint64_t seed) { return simulatedCase(test::skinOptions(
 
 TEST(ShapeCovariance, IsTheSTransformedCovariance) {
   const GlobalCase example = x17Case(3);
-  const GlobalSolution solution = solveJointly(example.problem, example.truth);
+  const GlobalSolution solution = GlobalSolver().solve(example.problem, example.truth);
   const Eigen::MatrixXd S = transformationOf(solution.state.cells);
   const Eigen::MatrixXd C_s = S * wholeOf(solution) * S.transpose();
   // Motions of the whole are taken out.
@@ -63,7 +63,7 @@ TEST(ShapeCovariance, IsTheSTransformedCovariance) {
 // linearised elsewhere.
 TEST(ShapeCovariance, DoesNotDependOnTheOrigin) {
   const GlobalCase example = x17Case(5);
-  const GlobalSolution one = solveJointly(example.problem, example.truth);
+  const GlobalSolution one = GlobalSolver().solve(example.problem, example.truth);
   GlobalCase moved = example;
   moved.problem.origin = 14;
   const SE3 T = one.state.cells[14].inverse();
@@ -72,7 +72,7 @@ TEST(ShapeCovariance, DoesNotDependOnTheOrigin) {
   for (Eigen::Vector3d& force : start.force_o) force = T.R * force;
   for (Eigen::Vector3d& acceleration : start.acceleration_o) acceleration = T.R * acceleration;
   start.middle_o = T * start.middle_o;
-  const GlobalSolution other = solveJointly(moved.problem, start);
+  const GlobalSolution other = GlobalSolver().solve(moved.problem, start);
   const std::vector<Matrix6d> shape = shapeOf(one);
   const std::vector<Matrix6d> shape_there = shapeOf(other);
   Matrix6d turn = Matrix6d::Identity();  // positions are in the patch's frame
