@@ -11,6 +11,7 @@
 #include "hexoderm/base/freed_memory.h"
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/text.h"
+#include "hexoderm/base/vector_instructions.h"
 #include "hexoderm/skin/origin_search.h"
 #include "hexoderm/solve/estimate/patch_description.h"
 #include "hexoderm/solve/estimate/patch_solver.h"
@@ -19,6 +20,7 @@
 #include "hexoderm/solve/faults/suspects.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/solve.h"
+#include "hexoderm/solve/tree/edge_batches.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/factor_ratios.h"
 #include "tests/support/options.h"
@@ -34,6 +36,7 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <numeric>
 #include <stop_token>
 #include <string>
 #include <utility>
@@ -167,6 +170,17 @@ void printStages(const SessionSnapshot& snapshot, SolverOptions options, double 
   row("readings", least_ms([&] { GravityTable(snapshot, skin.graph(), findings); }));
   row("cells judged", least_ms([&] { judgeCells(snapshot, skin.graph(), skin.table(), findings); }));
   row("edges", least_ms([&] { skin.estimateEdges(); }));
+  {
+    std::vector<std::size_t> all(skin.graph().links().size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    std::vector<EdgeRotation> edges(all.size());
+    std::vector<std::optional<double>> residuals(all.size() * skin.table().poseCount());
+    const auto in_batches = [&](const char* what, EdgeKernel kernel) {
+      row(what, least_ms([&] { estimateUsualEdges(skin, all, edges, residuals, kernel); }));
+    };
+    in_batches("  of these two at a time", estimateEdgesByTwo);
+    if (hasVectorInstructions()) in_batches("  of these four at a time", estimateEdgesByFour);
+  }
   row("pair tests", least_ms([&] { static_cast<void>(SuspectSearch(skin)); }));
   const std::vector<double> weights = linkWeights(skin);
   OriginFound found;

@@ -45,6 +45,15 @@ HEXODERM_INLINE Lanes rootOf(Lanes values) {
   for (int k = 0; k < kWidth; ++k) values[k] = __builtin_sqrt(values[k]);
   return values;
 }
+HEXODERM_INLINE Lanes absolute(Lanes values) {
+  for (int k = 0; k < kWidth; ++k) values[k] = __builtin_fabs(values[k]);
+  return values;
+}
+/// `size` with the signs of `values`.
+HEXODERM_INLINE Lanes withSignOf(Lanes size, Lanes values) {
+  for (int k = 0; k < kWidth; ++k) size[k] = __builtin_copysign(size[k], values[k]);
+  return size;
+}
 HEXODERM_INLINE bool any(Mask mask) {
   bool found = false;
   for (int k = 0; k < kWidth; ++k) found = found || mask[k] != 0;

@@ -3,6 +3,7 @@
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/procrustes.h"
 #include "hexoderm/base/units.h"
+#include "hexoderm/solve/tree/edge_batches.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -159,6 +160,21 @@ EdgeQuality classifyEdge(const Eigen::Vector3d& singular_values, double threshol
 
 double paperWeight(EdgeQuality quality) {
   return quality == EdgeQuality::Undefined ? 3 : quality == EdgeQuality::Partially ? 2 : 1;
+}
+
+EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions& options) {
+  const Accelerometer& a = model.accelerometer;
+  EdgeKernelOptions kernel;
+  kernel.offset_variance_g2 = a.offset_sigma_g * a.offset_sigma_g;
+  kernel.scale_variance = a.scale_sigma * a.scale_sigma;
+  kernel.cross_axis_variance = a.cross_axis_sigma * a.cross_axis_sigma;
+  kernel.support = kUnsupportedInformation;
+  kernel.prior_variance = kUniformSigma * kUniformSigma;
+  kernel.shortest_g = kShortestCentred_g;
+  kernel.least_variance_g2 = kMinVariance_g2;
+  kernel.centre = options.centring != Centring::Off;
+  kernel.always_centre = options.centring == Centring::On;
+  return kernel;
 }
 
 bool needsSupport(const EdgeRotation& unsupported, SupportAxes axes, const CellModel& model) {

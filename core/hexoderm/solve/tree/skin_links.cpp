@@ -1,9 +1,9 @@
 #include "hexoderm/solve/tree/skin_links.h"
 
 #include "hexoderm/base/covariance.h"
-#include "hexoderm/base/parallel.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/skin/shortest_paths.h"
+#include "hexoderm/solve/tree/edge_batches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,13 +73,10 @@ std::vector<std::size_t> SkinLinks::estimateEdgesAround(std::size_t cell) {
 }
 
 void SkinLinks::estimate(std::span<const std::size_t> links) {
-  constexpr std::size_t kAtOnce = 64;
-  inRanges(links.size(), kAtOnce, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) estimateLink(links[k]);
-  });
+  for (const std::size_t link : estimateUsualEdges(*this, links, edges_, pose_residuals_)) estimateCarefully(link);
 }
 
-void SkinLinks::estimateLink(std::size_t index) {
+void SkinLinks::estimateCarefully(std::size_t index) {
   const GraphLink& link = graph_.links()[index];
   const EdgeReadings readings = readings_.readingsOf(link);
   EdgeRotation edge = estimateEdgeRotation(model_, sourcePort(link), targetPort(link), readings, options_);

@@ -62,7 +62,7 @@ class SkinLinks {
 
  private:
   void estimate(std::span<const std::size_t> links);
-  void estimateLink(std::size_t link);
+  void estimateCarefully(std::size_t link);
   void markAsGuessed(EdgeRotation& edge, const GraphLink& link) const;
   [[nodiscard]] Eigen::Matrix3d elastomerPrior(const Port& port) const;
 
