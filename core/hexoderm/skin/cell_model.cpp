@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <set>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -31,8 +31,7 @@ Accelerometer Accelerometer::ofUnknownLot() const {
 
 Eigen::Matrix3d Accelerometer::sharedOffsetBetween_g2(const Eigen::Matrix3d& R_a_b) const {
   // (I - R)(I - R)^T
-  return offset_shared_sigma_g * offset_shared_sigma_g *
-         (2 * Eigen::Matrix3d::Identity() - R_a_b - R_a_b.transpose());
+  return offset_shared_sigma_g * offset_shared_sigma_g * (2 * Eigen::Matrix3d::Identity() - R_a_b - R_a_b.transpose());
 }
 
 const Port* CellModel::findPort(PortNumber number) const {

@@ -62,8 +62,8 @@ void placedFields(Json& json, Placement& T_u, Before... before) {
 template <class In>
 void takeSharedPart(double shared_g, const In& in, Accelerometer& a) {
   if (shared_g > a.offset_sigma_g) {
-    in.fail(message("shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}", Number{a.offset_sigma_g},
-                    Number{shared_g}));
+    in.fail(message("shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
+                    Number{a.offset_sigma_g}, Number{shared_g}));
   }
   a.offset_shared_sigma_g = shared_g;
   a.offset_sigma_g = std::sqrt(a.offset_sigma_g * a.offset_sigma_g - shared_g * shared_g);
@@ -86,8 +86,9 @@ void modelFields(Json& json, Model& model) {
                  requiredField("scale_sigma", a.scale_sigma, kNonNegative),
                  optionalField("scale_shared_sigma", a.scale_shared_sigma, kNonNegative),
                  defaultedField("cross_axis_sigma", a.cross_axis_sigma, kNonNegative),
-                 derivedField("shared_offset_sigma_g", [] { return std::optional<double>(); },
-                              [&a](auto& in) { takeSharedPart(in.nonNegativeNumber(), in, a); }));
+                 derivedField(
+                     "shared_offset_sigma_g", [] { return std::optional<double>(); },
+                     [&a](auto& in) { takeSharedPart(in.nonNegativeNumber(), in, a); }));
   };
   json.strictObject(requiredField("name", model.name), requiredField("side_m", model.side_m, Length(kMinCellSide_m)),
                     requiredField("thickness_m", model.thickness_m, Length()),

@@ -24,7 +24,8 @@ struct HuberLoss {
 class AccelerometerPrior {
  public:
   /// `more_g2`: of the offset's variance, per axis.
-  explicit AccelerometerPrior(const Accelerometer& accelerometer, const Eigen::Vector3d& more_g2 = Eigen::Vector3d::Zero());
+  explicit AccelerometerPrior(const Accelerometer& accelerometer,
+                              const Eigen::Vector3d& more_g2 = Eigen::Vector3d::Zero());
   /// Prior precisions of (b_i, D_i0, D_i1, D_i2), the parameters that axis i reads through.
   [[nodiscard]] const Eigen::Vector4d& precision(int axis) const { return precision_[static_cast<std::size_t>(axis)]; }
 

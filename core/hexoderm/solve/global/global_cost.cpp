@@ -57,8 +57,8 @@ void fitCell(const GlobalProblem& problem, const AccelerometerPrior& prior, cons
 
 namespace {
 
-/// Precisions of the lot's offset, per axis, and of the logarithm of its scale. One that is known has a finite precision
-/// too, which keeps the algebra the same.
+/// Precisions of the lot's offset, per axis, and of the logarithm of its scale. One that is known has a finite
+/// precision too, which keeps the algebra the same.
 struct LotPrecision {
   double offset = 0;
   double scale = 0;

@@ -57,7 +57,8 @@ struct GlobalState {
 };
 
 /// Second-order model of the cost about a state (Gauss-Newton), sparse in the cells: every cell has a block of six
-/// (position in the patch frame, then rotation as R exp(d)); every pose, the lot and the gap share stand in a dense border.
+/// (position in the patch frame, then rotation as R exp(d)); every pose, the lot and the gap share stand in a dense
+/// border.
 struct NormalEquations {
   LargeVector<Matrix6d> cells;  ///< diagonal blocks; the origin's is the identity
   LargeVector<Matrix6d> links;  ///< block (c, n) per link
@@ -76,8 +77,8 @@ struct BorderLayout {
   [[nodiscard]] Eigen::Index acceleration(std::size_t pose) const {
     return static_cast<Eigen::Index>(3 * poses_ + 3 * pose);
   }
-  /// Where the lot is estimated: a change of its offset, three numbers, and of its scale's logarithm. The offset's is in
-  /// units of the scale.
+  /// Where the lot is estimated: a change of its offset, three numbers, and of its scale's logarithm. The offset's is
+  /// in units of the scale.
   [[nodiscard]] Eigen::Index lot() const { return lot_; }
   [[nodiscard]] Eigen::Index gapShare() const { return size_ - 1; }
   [[nodiscard]] Eigen::Index size() const { return size_; }
@@ -98,7 +99,8 @@ inline constexpr Eigen::Index kLotUnknowns = 4;
 ///       k = (2/3) e a^2 m, the arc's share: e is the length of the extended port vectors, a half the angle between
 ///       u_c and -u_n, m = unit(u_c - u_n), with u the outward port directions in one frame;
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
-///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g, the
+///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g,
+///   the
 ///       lot's offset and the logarithm of its scale.
 double jointCost(const GlobalProblem& problem, const GlobalState& state);
 
@@ -138,8 +140,8 @@ void addForcePrior(const GlobalProblem& problem, const Eigen::Vector3d& force_o,
 GlobalState moved(const GlobalProblem& problem, const GlobalState& state, const Eigen::VectorXd& cells,
                   const Eigen::VectorXd& border);
 
-/// The accelerometers of the patch at a state: readings without the lot's errors, forces in the accelerometers' axes, and
-/// the most probable errors of their own.
+/// The accelerometers of the patch at a state: readings without the lot's errors, forces in the accelerometers' axes,
+/// and the most probable errors of their own.
 struct SensorState {
   std::vector<CellReading> readings;
   std::vector<Eigen::Vector3d> v_g;

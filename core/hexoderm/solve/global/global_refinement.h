@@ -53,7 +53,8 @@ class GlobalRefinement {
   /// the factor is given back, when one of cells or links is first asked for; that is not for several threads at a
   /// time.
   [[nodiscard]] const std::vector<Matrix6d>& shapeCovariances() const;
-  /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor and its lot.
+  /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor and its
+  /// lot.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
   /// The covariances of all cells (CellPlacement::cov_t_r, in the order of the patch's cells) that the patch would have
   /// with more readings, each as the estimate foretells it and as noisy as the cell's others: of another pose with

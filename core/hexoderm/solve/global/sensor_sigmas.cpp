@@ -121,8 +121,7 @@ Variances variancesOf(const Accelerometer& model) {
   constexpr double kMinShare = 0.01;  // of the offsets' variance, so that a shared part can be found
   const double own = std::pow(model.offset_sigma_g, 2);
   const double shared = std::max(std::pow(model.offset_shared_sigma_g, 2), kMinShare * own);
-  Variances variances(own, std::pow(model.scale_sigma, 2),
-                      std::pow(model.cross_axis_sigma, 2), shared);
+  Variances variances(own, std::pow(model.scale_sigma, 2), std::pow(model.cross_axis_sigma, 2), shared);
   constexpr double kMinStart = 1e-8;  // from exactly 0 nothing would move
   return variances.cwiseMax(kMinStart);
 }
