@@ -49,8 +49,8 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
             << (statistics.settled ? "" : " and not settled") << '\n';
   std::cout << "Errors of the accelerometers, 1 sigma an axis:\n";
   const SensorSigmas& sigmas = statistics.sigmas;
-  printSigma("offset", sigmas.offset_g, model.offset_sigma_g, kMilliG);
-  printSigma("  of it shared", sigmas.shared_offset_g, model.shared_offset_sigma_g, kMilliG);
+  printSigma("offset", sigmas.offset_g, model.ofUnknownLot().offset_sigma_g, kMilliG);
+  printSigma("  of it shared", sigmas.shared_offset_g, model.offset_shared_sigma_g, kMilliG);
   printSigma("scale", sigmas.scale, model.scale_sigma, kPercent);
   printSigma("cross-axis", sigmas.cross_axis, model.cross_axis_sigma, kPercent);
   if (!sigmas.lot) return;
@@ -84,8 +84,8 @@ Json toJson(const SensorStatistics& statistics, const Accelerometer& model, cons
           {"readings", statistics.readings},
           {"rounds", statistics.rounds},
           {"settled", statistics.settled},
-          {"offset_g", toJson(sigmas.offset_g, model.offset_sigma_g)},
-          {"shared_offset_g", toJson(sigmas.shared_offset_g, model.shared_offset_sigma_g)},
+          {"offset_g", toJson(sigmas.offset_g, model.ofUnknownLot().offset_sigma_g)},
+          {"shared_offset_g", toJson(sigmas.shared_offset_g, model.offset_shared_sigma_g)},
           {"scale", toJson(sigmas.scale, model.scale_sigma)},
           {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)},
           {"lot", orNull(sigmas.lot, lot_json)},

@@ -29,6 +29,7 @@ struct SimulateOptions {
   std::size_t poses = 2;
   std::size_t samples = 100;
   std::optional<double> offset_sigma_mg;
+  std::vector<double> lot;  ///< mg, %
   std::vector<std::string> faults;
   std::string joints;  ///< empty: beside the session
   std::string truth;
@@ -94,6 +95,10 @@ int run(const SimulateOptions& options, const Common& common) {
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
   if (options.offset_sigma_mg) model.accelerometer.offset_sigma_g = *options.offset_sigma_mg / 1000;
+  if (!options.lot.empty()) {
+    model.accelerometer.offset_shared_sigma_g = options.lot.front() / 1000;
+    model.accelerometer.scale_shared_sigma = options.lot.size() == 2 ? options.lot.back() / 100 : 0;
+  }
   model.validate();
   RobotText words = options.words;
   words.link_law = linkLawFromName(options.link_law);
@@ -151,6 +156,14 @@ void addSimulate(CLI::App& app, Common& common) {
   addInput(command, "--cell-model", options.cell_model, "Built-in name or JSON file")->capture_default_str();
   takeNumbers(command.add_option("--offset-sigma", options.offset_sigma_mg,
                                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
+              0, kMaxOffsetSigma_mg);
+  takeNumbers(command
+                  .add_option("--lot", options.lot,
+                              "Errors that the chips of the skin's lot share, 1 sigma: of the offset, in mg, and of the "
+                              "scale, in % (default: the cell model's)")
+                  ->type_name("MG[,PERCENT]")
+                  ->expected(1, 2)
+                  ->delimiter(','),
               0, kMaxOffsetSigma_mg);
   CLI::Option* faults = command.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =

@@ -40,7 +40,7 @@ Message rangeText(std::span<const CellSample> readings) {
 
 void checkReadings(const CellModel& model, std::span<const CellSample> readings, const std::set<CellId>& silent,
                    std::vector<SkinCheckItem>& items) {
-  const Accelerometer& accelerometer = model.accelerometer;
+  const Accelerometer accelerometer = model.accelerometer.ofUnknownLot();
   const double tolerance_g = 5 * std::hypot(accelerometer.offset_sigma_g, accelerometer.scale_sigma);
   std::vector<CellSample> odd;
   std::copy_if(readings.begin(), readings.end(), std::back_inserter(odd), [&](const CellSample& reading) {

@@ -196,11 +196,9 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   NormalSource errors(randomStream(options.seed, Stream::Sensors));
   const Accelerometer& accelerometer = model.accelerometer;
   // All chips are of one lot.
-  const Eigen::Vector3d shared_offset_g =
-      accelerometer.shared_offset_sigma_g *
-      NormalSource(randomStream(options.lot_seed.value_or(options.seed), Stream::Lot)).nextVector();
-  const double own_offset_sigma_g =
-      std::sqrt(std::pow(accelerometer.offset_sigma_g, 2) - std::pow(accelerometer.shared_offset_sigma_g, 2));
+  NormalSource lot(randomStream(options.lot_seed.value_or(options.seed), Stream::Lot));
+  const Eigen::Vector3d shared_offset_g = accelerometer.offset_shared_sigma_g * lot.nextVector();
+  const double shared_scale = 1 + accelerometer.scale_shared_sigma * lot.next();
   truth.reserve(placements.size());
   for (std::size_t k = 0; k < placements.size(); ++k) {
     TrueCell cell{cellNumbered(k), placements[k]};
@@ -210,13 +208,14 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
     cell.T_b_u.t += cell.T_b_u.R * shift;
     cell.T_b_u.R *= expSO3(turn);
     if (options.sensor_errors) {
-      cell.offset_g = shared_offset_g + own_offset_sigma_g * errors.nextVector();
+      cell.offset_g = shared_offset_g + accelerometer.offset_sigma_g * errors.nextVector();
       for (int row = 0; row < 3; ++row) {
         for (int col = 0; col < 3; ++col) {
           cell.gain(row, col) +=
               (row == col ? accelerometer.scale_sigma : accelerometer.cross_axis_sigma) * errors.next();
         }
       }
+      cell.gain *= shared_scale;
     }
     middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
     truth.push_back(cell);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -20,6 +21,18 @@ constexpr double kMax = 1e9;
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
 }  // namespace
+
+Accelerometer Accelerometer::ofUnknownLot() const {
+  Accelerometer alone = *this;
+  alone.offset_sigma_g = std::hypot(offset_sigma_g, std::exchange(alone.offset_shared_sigma_g, 0));
+  alone.scale_sigma = std::hypot(scale_sigma, std::exchange(alone.scale_shared_sigma, 0));
+  return alone;
+}
+
+Eigen::Matrix3d Accelerometer::sharedOffsetBetween_g2(const Eigen::Matrix3d& R_a_b) const {
+  // (I - R)(I - R)^T
+  return offset_shared_sigma_g * offset_shared_sigma_g * (2 * Eigen::Matrix3d::Identity() - R_a_b - R_a_b.transpose());
+}
 
 const Port* CellModel::findPort(PortNumber number) const {
   const auto found = std::ranges::find(ports, number, &Port::number);
@@ -94,11 +107,9 @@ void CellModel::validate() const {
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
   notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
   notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
-  notNegative(accelerometer.shared_offset_sigma_g, "accelerometer.shared_offset_sigma_g");
-  require(accelerometer.shared_offset_sigma_g <= accelerometer.offset_sigma_g,
-          message("accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
-                  Number{accelerometer.offset_sigma_g}, Number{accelerometer.shared_offset_sigma_g}));
+  notNegative(accelerometer.offset_shared_sigma_g, "accelerometer.offset_shared_sigma_g");
   notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
+  notNegative(accelerometer.scale_shared_sigma, "accelerometer.scale_shared_sigma");
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
   placed(accelerometer.T_u_a, "accelerometer.");
   for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": ");

@@ -19,19 +19,26 @@ struct Port {
   Eigen::Vector3d vector_m;
 };
 
-/// The accelerometer of a cell, as its data sheet has it.
+/// The accelerometer of a cell, as its data sheet has it. Chips of one lot resemble each other: an error of a chip is
+/// the lot's, which all cells of a skin share, and its own, which is independent of the others'.
 struct Accelerometer {
   double range_g = 2.0;
   double lsb_g = 0.004;
   double rate_hz = 1000.0;
   double noise_g_per_sqrt_hz = 0.0005;
-  double offset_sigma_g = 0.06;  ///< 1 sigma of the uncalibrated offset, per axis
-  /// 1 sigma, per axis, of the part of the offset that all chips of a lot share; at most offset_sigma_g, which includes
-  /// it. The estimate takes the offsets of a skin's chips as independent, which grants them no less.
-  double shared_offset_sigma_g = 0;
-  double scale_sigma = 0.02;        ///< 1 sigma of the relative scale error, per axis
-  double cross_axis_sigma = 0.005;  ///< 1 sigma of each off-diagonal element
-  SE3 T_u_a;                        ///< placement of the accelerometer in the cell frame
+  double offset_sigma_g = 0.06;      ///< 1 sigma of a chip's own uncalibrated offset, per axis
+  double offset_shared_sigma_g = 0;  ///< the same of the lot's offset
+  double scale_sigma = 0.02;         ///< 1 sigma of a chip's own relative scale error, per axis
+  double scale_shared_sigma = 0;     ///< the same of the lot's, which all axes share
+  double cross_axis_sigma = 0.005;   ///< 1 sigma of each off-diagonal element
+  SE3 T_u_a;                         ///< placement of the accelerometer in the cell frame
+
+  [[nodiscard]] bool sharesErrors() const { return offset_shared_sigma_g > 0 || scale_shared_sigma > 0; }
+  /// The same of a chip that is looked at alone: the lot's errors count as its own.
+  [[nodiscard]] Accelerometer ofUnknownLot() const;
+  /// Covariance of what two cells' offsets differ by because both have the lot's, b - R_a_b b, g^2, in the first one's
+  /// axes; `R_a_b` maps the second one's axes to these.
+  [[nodiscard]] Eigen::Matrix3d sharedOffsetBetween_g2(const Eigen::Matrix3d& R_a_b) const;
 };
 
 /// A sensor on a cell, placed in the cell frame.

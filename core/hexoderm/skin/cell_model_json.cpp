@@ -58,6 +58,17 @@ void placedFields(Json& json, Placement& T_u, Before... before) {
                     derivedField(kExactRotation, exact, [&T_u](auto& in) { kRotation.take(in, T_u.R); }));
 }
 
+/// As models had it at first: the lot's part of offset_sigma_g.
+template <class In>
+void takeSharedPart(double shared_g, const In& in, Accelerometer& a) {
+  if (shared_g > a.offset_sigma_g) {
+    in.fail(message("shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
+                    Number{a.offset_sigma_g}, Number{shared_g}));
+  }
+  a.offset_shared_sigma_g = shared_g;
+  a.offset_sigma_g = std::sqrt(a.offset_sigma_g * a.offset_sigma_g - shared_g * shared_g);
+}
+
 template <class Json, class Model>
 void modelFields(Json& json, Model& model) {
   const auto port = [](auto& item, auto& of_cell) {
@@ -71,9 +82,13 @@ void modelFields(Json& json, Model& model) {
                  requiredField("lsb_g", a.lsb_g, kNonNegative), requiredField("rate_hz", a.rate_hz, kPositive),
                  requiredField("noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz, kNonNegative),
                  requiredField("offset_sigma_g", a.offset_sigma_g, kNonNegative),
+                 optionalField("offset_shared_sigma_g", a.offset_shared_sigma_g, kNonNegative),
                  requiredField("scale_sigma", a.scale_sigma, kNonNegative),
+                 optionalField("scale_shared_sigma", a.scale_shared_sigma, kNonNegative),
                  defaultedField("cross_axis_sigma", a.cross_axis_sigma, kNonNegative),
-                 optionalField("shared_offset_sigma_g", a.shared_offset_sigma_g, kNonNegative));
+                 derivedField(
+                     "shared_offset_sigma_g", [] { return std::optional<double>(); },
+                     [&a](auto& in) { takeSharedPart(in.nonNegativeNumber(), in, a); }));
   };
   json.strictObject(requiredField("name", model.name), requiredField("side_m", model.side_m, Length(kMinCellSide_m)),
                     requiredField("thickness_m", model.thickness_m, Length()),

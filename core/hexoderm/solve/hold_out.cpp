@@ -62,7 +62,7 @@ class HoldOut {
  public:
   HoldOut(const SessionSnapshot& snapshot, PoseId pose, const SolverOptions& options)
       : model_(*snapshot.model),
-        prior_(model_.accelerometer),
+        prior_(model_.accelerometer.ofUnknownLot()),
         joint_(options.solver == Solver::Global),
         graph_(model_, *snapshot.neighbors),
         everything_(allEnabled(snapshot)),

@@ -16,7 +16,8 @@ CellModel ownModel() {
   model.ports.push_back({PortNumber(9), {0, 0.0141, 0}});
   model.accelerometer.T_u_a = {expSO3({0, 0, kPi}), {0.001, -0.002, -0.003}};
   model.accelerometer.cross_axis_sigma = 0.001;
-  model.accelerometer.shared_offset_sigma_g = 0.008;
+  model.accelerometer.offset_shared_sigma_g = 0.008;
+  model.accelerometer.scale_shared_sigma = 0.1;
   model.sensors = {{"force 1", "force", {expSO3({kPi, 0, 0}), {0.004, 0.1 / 3, 0}}}};
   model.forbidden_port_pairs = {{PortNumber(1), PortNumber(9)}};
   model.side_angle_rad = 0.1;
@@ -83,7 +84,8 @@ TEST(CellModelJson, ComesBackAsItWas) {
   EXPECT_TRUE(back.sensors[0].T_u_s.R.isApprox(model.sensors[0].T_u_s.R, 1e-15));
   EXPECT_EQ(back.accelerometer.T_u_a.t, model.accelerometer.T_u_a.t);
   EXPECT_EQ(back.accelerometer.cross_axis_sigma, 0.001);
-  EXPECT_EQ(back.accelerometer.shared_offset_sigma_g, 0.008);
+  EXPECT_EQ(back.accelerometer.offset_shared_sigma_g, 0.008);
+  EXPECT_EQ(back.accelerometer.scale_shared_sigma, 0.1);
   for (const auto value : {&CellModel::side_angle_rad, &CellModel::link_sigma_m, &CellModel::bend_sigma_rad,
                            &CellModel::twist_sigma_rad, &CellModel::yaw_sigma_rad}) {
     EXPECT_EQ(back.*value, model.*value);
@@ -151,12 +153,22 @@ TEST(CellModelJson, SaysTheLengthOfAQuaternionThatIsNone) {
 TEST(CellModelJson, StatesTheErrorsOfItsChip) {
   const CellModel model = sparseModel("0.02");
   EXPECT_EQ(model.accelerometer.offset_sigma_g, 0.06);
-  EXPECT_EQ(model.accelerometer.shared_offset_sigma_g, 0);
-  EXPECT_EQ(cellModelToJson(model).find("shared_offset_sigma_g"), std::string::npos);
+  EXPECT_FALSE(model.accelerometer.sharesErrors());
+  EXPECT_EQ(cellModelToJson(model).find("shared"), std::string::npos);
   EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma_g\": 0.5, \"offset_sigma_g\": "),
               saysAll("m.json", "shared_offset_sigma_g is a part of offset_sigma_g, so at most 0.06, found 0.5"));
-  EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma\": 0.01, \"offset_sigma_g\": "),
-              saysAll("m.json: accelerometer.shared_offset_sigma:", "mean shared_offset_sigma_g?"));
+  EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"offset_shared_sigma\": 0.01, \"offset_sigma_g\": "),
+              saysAll("m.json: accelerometer.offset_shared_sigma:", "mean offset_shared_sigma_g?"));
+}
+
+TEST(CellModelJson, OfOldHasTheLotsOffsetAsAPartOfTheWhole) {
+  std::string text = cellModelToJson(hex());
+  const std::string key = "\"offset_sigma_g\": ";
+  text.insert(text.find(key), "\"shared_offset_sigma_g\": 0.036, ");
+  const Accelerometer a = cellModelFromJson(text, "m.json").accelerometer;
+  EXPECT_DOUBLE_EQ(a.offset_shared_sigma_g, 0.036);
+  EXPECT_DOUBLE_EQ(a.offset_sigma_g, 0.048);
+  EXPECT_DOUBLE_EQ(a.ofUnknownLot().offset_sigma_g, 0.06);
 }
 
 TEST(CellModelJson, RefusesKeysThatItDoesNotKnowAndNamesWhatWasMeant) {

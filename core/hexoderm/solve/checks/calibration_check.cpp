@@ -48,7 +48,7 @@ class CalibratedCells {
   explicit CalibratedCells(const Reconstruction& calibration)
       : calibration_(calibration),
         model_(*calibration.model),
-        prior_(model_.accelerometer),
+        prior_(model_.accelerometer.ofUnknownLot()),
         joint_(calibration.solver == solverName(Solver::Global)) {
     for (std::size_t k = 0; k < calibration.poses.size(); ++k) place_of_.emplace(calibration.poses[k].pose, k);
   }

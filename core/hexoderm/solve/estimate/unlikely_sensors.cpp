@@ -79,7 +79,7 @@ std::optional<SensorEvidence> evidenceOfUnused(const SkinLinks& skin, const Glob
   for (std::size_t pose = 0; pose < joint.poses().size(); ++pose) {
     const GravityTable::Entry& entry = skin.table().at(cell, joint.poses()[pose]);
     if (!entry.measured) continue;
-    readings.push_back({pose, R_u_a.transpose() * entry.mean_g, entry.variance_g2});
+    readings.push_back(joint.lot().without({pose, R_u_a.transpose() * entry.mean_g, entry.variance_g2}));
     forces_o.push_back(joint.solution().state.force_o[pose]);
   }
   if (readings.size() < 2) return std::nullopt;

@@ -158,7 +158,8 @@ class Attitudes {
  private:
   void look(const SkinLinks& skin, const PatchSolver& patch, bool is_tree, Explanation& found) {
     const std::vector<SE3> placements = placementsOf(patch);
-    OwnAttitudes own = findOwnAttitudes(skin, patch.cells(), forcesOn(skin, patch, placements), placements, is_tree);
+    OwnAttitudes own = findOwnAttitudes(skin, patch.cells(), forcesOn(skin, patch, placements), placements,
+                                        is_tree ? nullptr : &patch.joint()->lot());
     bool is_faulty = false;
     if (!searched_) {
       // Only of a tree they are needed once more.

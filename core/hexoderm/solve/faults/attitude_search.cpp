@@ -78,7 +78,7 @@ class AttitudeSearch {
  public:
   AttitudeSearch(const SkinLinks& skin, std::span<const std::size_t> cells, OwnAttitudes own)
       : skin_(skin),
-        prior_(skin.model().accelerometer),
+        prior_(own.prior),
         cells_(cells.begin(), cells.end()),
         own_(std::move(own.cells)),
         at_(cells_.size()) {

@@ -225,7 +225,7 @@ class Judge {
     using Vector6 = Eigen::Matrix<double, 6, 1>;
     constexpr double kMin = 1e-3;
     constexpr double kLinear_g = 0.02;  // what is left of a norm when it is taken as linear in offsets of 0.2 g
-    const Accelerometer& a = snapshot_.model->accelerometer;
+    const Accelerometer a = snapshot_.model->accelerometer.ofUnknownLot();
     // An offset b lengthens a reading along d by b.d, and scales s by the sum of s_i d_i^2.
     Vector6 sigmas;
     sigmas << Eigen::Vector3d::Constant(std::max(kMin, a.offset_sigma_g)),
@@ -289,7 +289,7 @@ class Judge {
 
   /// Range and norm: a reading that can't be gravity is not used.
   void judgeReadings(std::size_t cell) {
-    const Accelerometer& a = snapshot_.model->accelerometer;
+    const Accelerometer a = snapshot_.model->accelerometer.ofUnknownLot();
     const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
     std::vector<std::size_t> saturated;
     std::vector<std::size_t> dead;

@@ -212,9 +212,9 @@ class OwnAttitudeBatches {
 class Finder {
  public:
   Finder(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
-         std::span<const SE3> placements)
-      : R_u_a_(skin.model().accelerometer.T_u_a.R),
-        prior_(skin.model().accelerometer),
+         std::span<const SE3> placements, const SensorLot& lot, const Accelerometer& sensor)
+      : R_u_a_(sensor.T_u_a.R),
+        prior_(sensor),
         forces_(std::move(forces)),
         placements_(placements),
         own_(cells.size()),
@@ -224,7 +224,8 @@ class Finder {
       own.R_o_u = placements[place].R;
       for (std::size_t k = 0; k < forces_.size(); ++k) {
         const GravityTable::Entry& entry = skin.table().at(cells[place], forces_[k].pose);
-        if (entry.usable) own.readings.push_back({k, R_u_a_.transpose() * entry.mean_g, entry.variance_g2});
+        if (!entry.usable) continue;
+        own.readings.push_back(lot.without({k, R_u_a_.transpose() * entry.mean_g, entry.variance_g2}));
       }
       own.f_o.resize(own.readings.size());
       own.known = !own.readings.empty();
@@ -255,7 +256,7 @@ class Finder {
       own.gain = found.gain;
       findForcesOn(place);
     });
-    return {std::move(own_), std::move(forces_)};
+    return {prior_, std::move(own_), std::move(forces_)};
   }
 
  private:
@@ -323,9 +324,11 @@ class Finder {
 }  // namespace
 
 OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
-                              std::span<const SE3> placements, bool forces_are_rough) {
-  Finder finder(skin, cells, std::move(forces), placements);
-  if (forces_are_rough) finder.settle();
+                              std::span<const SE3> placements, const SensorLot* lot) {
+  const Accelerometer& sensor = skin.model().accelerometer;
+  Finder finder(skin, cells, std::move(forces), placements, lot != nullptr ? *lot : SensorLot(),
+                lot != nullptr ? sensor : sensor.ofUnknownLot());
+  if (lot == nullptr) finder.settle();
   return finder.run();
 }
 

@@ -32,20 +32,23 @@ struct OwnCell {
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< the inverse of that
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();     ///< of its sensor, as in OwnAttitude
   Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
-  std::vector<CellReading> readings;  ///< their poses are indices of forces
-  std::vector<Eigen::Vector3d> f_o;   ///< per reading
+  std::vector<CellReading>
+      readings;  ///< their poses are indices of forces; without the lot's errors where these are known
+  std::vector<Eigen::Vector3d> f_o;  ///< per reading
 };
 
 struct OwnAttitudes {
+  AccelerometerPrior prior;  ///< of the sensors' errors
   std::vector<OwnCell> cells;
   std::vector<PatchForce> forces;
 };
 
 /// The attitude of every cell in `cells` (of the graph) at which its readings are most probable, errors of its sensor
 /// granted (findAttitude(), several at a time). `placements`: per cell, where it lies and where the search starts.
-/// `forces_are_rough`: they are of sensors as they read, held still. Then each pose's force, and how a hand swings the
-/// part meanwhile, are found in turn with the attitudes: far from the middle cells read another force than near it.
+/// `lot`: what the sensors share, as it was estimated with the forces. Null: it is not known, and the forces are of
+/// sensors as they read, held still. Then each pose's force, and how a hand swings the part meanwhile, are found in
+/// turn with the attitudes: far from the middle cells read another force than near it.
 OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
-                              std::span<const SE3> placements, bool forces_are_rough);
+                              std::span<const SE3> placements, const SensorLot* lot);
 
 }  // namespace hexoderm

@@ -23,7 +23,6 @@ LinkAngles anglesSigma(const Eigen::Matrix3d& covariance, const Port& source) {
 
 SuspectSearch::SuspectSearch(const SkinLinks& skin)
     : skin_(skin),
-      pair_prior_(pairOf(skin.model().accelerometer)),
       verdicts_(skin.edges().size()),
       tested_(skin.graph().cells().size(), 0),
       bad_(skin.graph().cells().size(), 0) {
@@ -75,9 +74,14 @@ SuspectSearch::Verdict SuspectSearch::judge(std::size_t index) const {
   }
   ReadingSums sums;
   forReadings(index, [&](const CellReading& source, const Eigen::Vector3d& target_g) { sums.add(source, target_g); });
-  verdict.misfit = testRigidity(pair_prior_, sums).deviate();
+  verdict.misfit = testRigidity(pairPriorOf(index), sums).deviate();
   verdict.rigid = verdict.misfit <= skin_.options().max_misfit;
   return verdict;
+}
+
+AccelerometerPrior SuspectSearch::pairPriorOf(std::size_t index) const {
+  const Eigen::Matrix3d& R_u_a = skin_.model().accelerometer.T_u_a.R;
+  return pairPrior(skin_.model().accelerometer, R_u_a.transpose() * skin_.edges()[index].R_c_n * R_u_a);
 }
 
 template <class Use>
@@ -107,12 +111,13 @@ std::optional<std::size_t> SuspectSearch::worstPose() const {
   }
   std::vector<std::size_t> moving_without(skin_.table().poseCount(), static_cast<std::size_t>(moving_links_));
   for (const std::size_t link : tested) {
+    const AccelerometerPrior prior = pairPriorOf(link);
     ReadingSums all;
     forReadings(link, [&](const CellReading& source, const Eigen::Vector3d& target_g) { all.add(source, target_g); });
     forReadings(link, [&](const CellReading& source, const Eigen::Vector3d& target_g) {
       ReadingSums without = all;
       without.add(source, target_g, -1);
-      const bool is_rigid = testRigidity(pair_prior_, without).deviate() <= skin_.options().max_misfit;
+      const bool is_rigid = testRigidity(prior, without).deviate() <= skin_.options().max_misfit;
       std::size_t& still_moving = moving_without[source.pose];
       if (is_rigid && !verdicts_[link].rigid) --still_moving;
       if (!is_rigid && verdicts_[link].rigid) ++still_moving;

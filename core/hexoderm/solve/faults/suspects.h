@@ -49,12 +49,13 @@ class SuspectSearch {
   void count(std::size_t link, int by);
   /// Nearly all links of the cell are bad.
   [[nodiscard]] bool isAtOdds(std::size_t cell) const;
+  /// Errors of both cells of a link together, seen from the source.
+  [[nodiscard]] AccelerometerPrior pairPriorOf(std::size_t link) const;
   /// Calls use(reading of the source, what it would read if it turned with the target) for all poses of both.
   template <class Use>
   void forReadings(std::size_t link, const Use& use) const;
 
   const SkinLinks& skin_;
-  AccelerometerPrior pair_prior_;  ///< errors of two cells, seen from one of them
   std::vector<Verdict> verdicts_;  ///< per link
   int tested_links_ = 0;
   int moving_links_ = 0;

@@ -169,12 +169,12 @@ Eigen::Matrix4d rootOfInverse(const Eigen::Matrix4d& matrix) {
   return root;
 }
 
-AccelerometerPrior::AccelerometerPrior(const Accelerometer& accelerometer) {
+AccelerometerPrior::AccelerometerPrior(const Accelerometer& accelerometer, const Eigen::Vector3d& more_g2) {
   const auto precisionOf = [](double sigma) { return 1 / std::pow(std::max(sigma, kMinSigma), 2); };
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Vector4d& precision = precision_[static_cast<std::size_t>(axis)];
     precision.setConstant(precisionOf(accelerometer.cross_axis_sigma));
-    precision[0] = precisionOf(accelerometer.offset_sigma_g);
+    precision[0] = precisionOf(std::hypot(accelerometer.offset_sigma_g, std::sqrt(more_g2[axis])));
     precision[axis + 1] = precisionOf(accelerometer.scale_sigma);
   }
 }

@@ -19,10 +19,13 @@ struct HuberLoss {
 };
 
 /// Model of an uncalibrated accelerometer that reads a specific force v in its own axes: y = (I + D) v + b + noise,
-/// with b and the elements of D normal about 0 with the cell model's sigmas.
+/// with b and the elements of D normal about 0 with the cell model's sigmas of a chip's own errors. Readings are those
+/// without the lot's errors (SensorLot).
 class AccelerometerPrior {
  public:
-  explicit AccelerometerPrior(const Accelerometer& accelerometer);
+  /// `more_g2`: of the offset's variance, per axis.
+  explicit AccelerometerPrior(const Accelerometer& accelerometer,
+                              const Eigen::Vector3d& more_g2 = Eigen::Vector3d::Zero());
   /// Prior precisions of (b_i, D_i0, D_i1, D_i2), the parameters that axis i reads through.
   [[nodiscard]] const Eigen::Vector4d& precision(int axis) const { return precision_[static_cast<std::size_t>(axis)]; }
 
@@ -35,6 +38,17 @@ struct CellReading {
   std::size_t pose = 0;    ///< index into the poses of the patch
   Eigen::Vector3d y_g;     ///< accelerometer axes
   double variance_g2 = 0;  ///< per axis, > 0
+};
+
+/// What the errors of all chips of a lot have in common: a chip whose own errors alone would read y reads
+/// scale y + offset_g.
+struct SensorLot {
+  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
+  double scale = 1;
+  /// The reading that the chip's own errors alone would give.
+  [[nodiscard]] CellReading without(const CellReading& reading) const {
+    return {reading.pose, (reading.y_g - offset_g) / scale, reading.variance_g2 / (scale * scale)};
+  }
 };
 
 /// L with L L^T = the inverse of a positive definite matrix.

@@ -3,6 +3,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/global/linearize_lanes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexoderm {
@@ -33,8 +34,25 @@ double twiceCostOf(const GlobalProblem& problem, const GlobalState& state, const
   return problem.loss.cost(closure.squaredNorm()) + problem.loss.cost(elastomer.squaredNorm());
 }
 
+/// Precisions of the lot's offset, per axis, and of the logarithm of its scale. One that is known has a finite
+/// precision too, which keeps the algebra the same.
+struct LotPrecision {
+  double offset = 0;
+  double scale = 0;
+  explicit LotPrecision(const Accelerometer& accelerometer) {
+    constexpr double kMinSigma = 1e-6;
+    offset = std::pow(std::max(kMinSigma, accelerometer.offset_shared_sigma_g), -2);
+    scale = std::pow(std::max(kMinSigma, accelerometer.scale_shared_sigma), -2);
+  }
+};
+
 double priorCost(const GlobalProblem& problem, const GlobalState& state) {
   double squared = 0;
+  if (problem.estimatesLot()) {
+    const LotPrecision precision(problem.model->accelerometer);
+    squared += precision.offset * state.lot.offset_g.squaredNorm();
+    squared += precision.scale * std::pow(std::log(state.lot.scale), 2);
+  }
   if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
   for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
   if (problem.accelerations) {
@@ -45,7 +63,7 @@ double priorCost(const GlobalProblem& problem, const GlobalState& state) {
   return squared / 2;
 }
 
-/// Makes room, with the priorCost() and the priors of the forces.
+/// Makes room, with the priorCost() and the priors of the forces and of the lot.
 void startEquations(const GlobalProblem& problem, const GlobalState& state, NormalEquations& equations) {
   const BorderLayout layout(problem);
   const auto rows = static_cast<Eigen::Index>(6 * problem.cellCount());
@@ -68,23 +86,35 @@ void startEquations(const GlobalProblem& problem, const GlobalState& state, Norm
         precision * up * up.transpose() + kMinCurvature * Eigen::Matrix3d::Identity();
     equations.gradient_border.segment<3>(at) += precision * (norm - 1) * up;
   }
+  if (!problem.estimatesLot()) return;
+  const LotPrecision of_lot(problem.model->accelerometer);
+  const Eigen::Index at = layout.lot();
+  equations.border.diagonal().segment<3>(at).array() += state.lot.scale * state.lot.scale * of_lot.offset;
+  equations.gradient_border.segment<3>(at) += state.lot.scale * of_lot.offset * state.lot.offset_g;
+  equations.border(at + 3, at + 3) += of_lot.scale;
+  equations.gradient_border[at + 3] += of_lot.scale * std::log(state.lot.scale);
 }
 
 }  // namespace
 
 BorderLayout::BorderLayout(const GlobalProblem& problem)
     : poses_(problem.poses),
-      size_(static_cast<Eigen::Index>((problem.accelerations ? 6 : 3) * problem.poses + (problem.gap.sigma ? 1 : 0))) {}
+      lot_(static_cast<Eigen::Index>((problem.accelerations ? 6 : 3) * problem.poses)),
+      size_(lot_ + (problem.estimatesLot() ? kLotUnknowns : 0) + (problem.gap.sigma ? 1 : 0)) {}
+
+bool GlobalProblem::estimatesLot() const { return model->accelerometer.sharesErrors(); }
 
 void fitCell(const GlobalProblem& problem, const AccelerometerPrior& prior, const GlobalState& state, std::size_t cell,
              SensorState& sensor) {
   const std::vector<CellReading>& readings = problem.readings[cell];
   const Eigen::Matrix3d R_a_o = problem.model->accelerometer.T_u_a.R.transpose() * state.cells[cell].R.transpose();
+  sensor.readings.clear();
   sensor.v_g.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
+    sensor.readings.push_back(state.lot.without(readings[k]));
     sensor.v_g[k] = R_a_o * specificForce(problem, state, cell, readings[k].pose);
   }
-  fitAccelerometer(prior, readings, sensor.v_g, problem.loss, sensor.fit);
+  fitAccelerometer(prior, sensor.readings, sensor.v_g, problem.loss, sensor.fit);
 }
 
 Eigen::Vector3d specificForce(const GlobalProblem& problem, const GlobalState& state, std::size_t cell,
@@ -177,6 +207,10 @@ GlobalState moved(const GlobalProblem& problem, const GlobalState& state, const 
   for (std::size_t pose = 0; pose < problem.poses; ++pose) {
     next.force_o[pose] += border.segment<3>(layout.force(pose));
     if (problem.accelerations) next.acceleration_o[pose] += border.segment<3>(layout.acceleration(pose));
+  }
+  if (problem.estimatesLot()) {
+    next.lot.offset_g += state.lot.scale * border.segment<3>(layout.lot());
+    next.lot.scale *= std::exp(border[layout.lot() + 3]);
   }
   if (problem.gap.sigma) next.gap_share += border[layout.gapShare()];
   return next;

@@ -41,20 +41,24 @@ struct GlobalProblem {
   std::shared_ptr<const EliminationPlan> elimination;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }
+  [[nodiscard]] bool estimatesLot() const;  ///< the model's accelerometers share errors
 };
 
 /// The unknowns: placements T_o_u, per pose the specific force at the patch's middle and the angular acceleration, and
-/// the gap share. A hand's translation adds to gravity, so the force's length is not exactly 1 g.
+/// the gap share, and the errors that the accelerometers share. A hand's translation adds to gravity, so the force's
+/// length is not exactly 1 g.
 struct GlobalState {
   std::vector<SE3> cells;
   std::vector<Eigen::Vector3d> force_o;                ///< specific force at the patch's middle, g; about 1 long
   std::vector<Eigen::Vector3d> acceleration_o;         ///< rad/s^2; zero where not estimated
   Eigen::Vector3d middle_o = Eigen::Vector3d::Zero();  ///< point at which accelerations have no lever arm; a constant
   double gap_share = 0.5;
+  SensorLot lot;
 };
 
 /// Second-order model of the cost about a state (Gauss-Newton), sparse in the cells: every cell has a block of six
-/// (position in the patch frame, then rotation as R exp(d)), every pose and the gap share stand in a dense border.
+/// (position in the patch frame, then rotation as R exp(d)); every pose, the lot and the gap share stand in a dense
+/// border.
 struct NormalEquations {
   LargeVector<Matrix6d> cells;  ///< diagonal blocks; the origin's is the identity
   LargeVector<Matrix6d> links;  ///< block (c, n) per link
@@ -73,22 +77,31 @@ struct BorderLayout {
   [[nodiscard]] Eigen::Index acceleration(std::size_t pose) const {
     return static_cast<Eigen::Index>(3 * poses_ + 3 * pose);
   }
+  /// Where the lot is estimated: a change of its offset, three numbers, and of its scale's logarithm. The offset's is
+  /// in units of the scale.
+  [[nodiscard]] Eigen::Index lot() const { return lot_; }
   [[nodiscard]] Eigen::Index gapShare() const { return size_ - 1; }
   [[nodiscard]] Eigen::Index size() const { return size_; }
 
  private:
   std::size_t poses_;
+  Eigen::Index lot_;
   Eigen::Index size_;
 };
+/// Unknowns of a lot.
+inline constexpr Eigen::Index kLotUnknowns = 4;
 
 /// Negative logarithm of the posterior, up to a constant:
 ///   1/2 sum over readings of rho(|y - (I + D)(R^T f) - b|^2 / V) + accelerometer priors,
-///       f = f_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h);
+///       f = f_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h), y and V without the lot's
+///       errors;
 ///   1/2 sum over links of rho(|t_n + R_n p_n - t_c - R_c p_c - s k|^2 / link_sigma^2),
 ///       k = (2/3) e a^2 m, the arc's share: e is the length of the extended port vectors, a half the angle between
 ///       u_c and -u_n, m = unit(u_c - u_n), with u the outward port directions in one frame;
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
-///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g.
+///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g,
+///   the
+///       lot's offset and the logarithm of its scale.
 double jointCost(const GlobalProblem& problem, const GlobalState& state);
 
 /// The specific force at a cell in a pose, patch frame, g.
@@ -112,8 +125,10 @@ Eigen::MatrixXd denseMatrix(const GlobalProblem& problem, const NormalEquations&
 GlobalState moved(const GlobalProblem& problem, const GlobalState& state, const Eigen::VectorXd& cells,
                   const Eigen::VectorXd& border);
 
-/// The accelerometers of the patch at a state: forces in their axes and their most probable errors.
+/// The accelerometers of the patch at a state: readings without the lot's errors, forces in the accelerometers' axes,
+/// and the most probable errors of their own.
 struct SensorState {
+  std::vector<CellReading> readings;
   std::vector<Eigen::Vector3d> v_g;
   AccelerometerFit fit;
 };

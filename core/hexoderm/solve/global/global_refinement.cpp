@@ -288,19 +288,19 @@ void GlobalRefinement::leaveOut(std::size_t cell) {
 
 Misfit GlobalRefinement::misfitOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
+  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), sensors_[at].readings, sensors_[at].v_g);
 }
 
 TurnBetweenPoses GlobalRefinement::turnOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return findTurn(AccelerometerPrior(problem_->model->accelerometer), problem_->readings[at], sensors_[at].v_g);
+  return findTurn(AccelerometerPrior(problem_->model->accelerometer), sensors_[at].readings, sensors_[at].v_g);
 }
 
 std::vector<double> GlobalRefinement::poseMisfits() const {
   std::vector<double> sums(poses_.size(), 0);
   std::vector<double> counts(poses_.size(), 0);
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
-    const std::vector<CellReading>& readings = problem_->readings[cell];
+    const std::vector<CellReading>& readings = sensors_[cell].readings;
     for (std::size_t k = 0; k < readings.size(); ++k) {
       sums[readings[k].pose] += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
       counts[readings[k].pose] += 1;
@@ -345,7 +345,8 @@ void GlobalRefinement::finishCovariances() const {
 Eigen::Vector3d GlobalRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
   const Eigen::Matrix3d& R_u_a = problem_->model->accelerometer.T_u_a.R;
   const AccelerometerFit& fit = sensorOf(cell);
-  return R_u_a * fit.gain.inverse() * (R_u_a.transpose() * mean_g - fit.offset_g);
+  const CellReading reading = solution_.state.lot.without({0, R_u_a.transpose() * mean_g, 0});
+  return R_u_a * fit.gain.inverse() * (reading.y_g - fit.offset_g);
 }
 
 CellReading GlobalRefinement::foretold(std::size_t local, std::size_t pose, const GlobalState& state) const {
@@ -354,7 +355,7 @@ CellReading GlobalRefinement::foretold(std::size_t local, std::size_t pose, cons
   const Eigen::Matrix3d R_o_a = state.cells[local].R * problem_->model->accelerometer.T_u_a.R;
   const Eigen::Vector3d v_g = R_o_a.transpose() * specificForce(*problem_, state, local, pose);
   const AccelerometerFit& fit = sensors_[local].fit;
-  return {pose, fit.gain * v_g + fit.offset_g, median(std::move(variances))};
+  return {pose, state.lot.scale * (fit.gain * v_g + fit.offset_g) + state.lot.offset_g, median(std::move(variances))};
 }
 
 std::vector<Matrix6d> GlobalRefinement::covariancesWithPose(const Eigen::Vector3d& up_o) const {
@@ -409,9 +410,10 @@ std::shared_ptr<const GravityCovariance> GlobalRefinement::gravityCovariance() c
 }
 
 const AccelerometerFit& GlobalRefinement::sensorOf(std::size_t cell) const { return sensors_[localOf(cell)].fit; }
+const SensorLot& GlobalRefinement::lot() const { return solution_.state.lot; }
 
 std::span<const CellReading> GlobalRefinement::readingsOf(std::size_t cell) const {
-  return problem_->readings[localOf(cell)];
+  return sensors_[localOf(cell)].readings;
 }
 
 std::span<const Eigen::Vector3d> GlobalRefinement::forcesAt(std::size_t cell) const {

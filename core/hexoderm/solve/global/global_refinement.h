@@ -51,7 +51,8 @@ class GlobalRefinement {
   /// the factor is given back, when one of cells or links is first asked for; that is not for several threads at a
   /// time.
   [[nodiscard]] const std::vector<Matrix6d>& shapeCovariances() const;
-  /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor.
+  /// A reading (cell frame) freed from the offset, gains and cross-axis sensitivity estimated for its sensor and its
+  /// lot.
   [[nodiscard]] Eigen::Vector3d correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const;
   /// The covariances of all cells (CellPlacement::cov_t_r, in the order of the patch's cells) that the patch would have
   /// with more readings, each as the estimate foretells it and as noisy as the cell's others: of another pose with
@@ -63,8 +64,12 @@ class GlobalRefinement {
   /// question on.
   [[nodiscard]] std::shared_ptr<const PlacementCovariance> placementCovariance(const SkinGraph& graph) const;
   [[nodiscard]] std::shared_ptr<const GravityCovariance> gravityCovariance() const;  ///< poses as in poses()
+  /// Errors that the patch's accelerometers share; none unless the cell model says that there may be some.
+  [[nodiscard]] const SensorLot& lot() const;
+  /// The errors of a cell's own accelerometer beside them.
   [[nodiscard]] const AccelerometerFit& sensorOf(std::size_t cell) const;
-  /// The readings of a cell that are used, and per reading the specific force in the accelerometer's axes.
+  /// The readings of a cell that are used, without the lot's errors, and per reading the specific force in the
+  /// accelerometer's axes.
   [[nodiscard]] std::span<const CellReading> readingsOf(std::size_t cell) const;
   [[nodiscard]] std::span<const Eigen::Vector3d> forcesAt(std::size_t cell) const;
   /// What the readings say about the sensors of the cells that have any, in the order of the patch's cells.

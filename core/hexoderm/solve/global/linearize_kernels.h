@@ -14,6 +14,7 @@ struct LinearizeSetting {
   double threshold_squared;      ///< of the Huber losses; may be infinite
   std::size_t poses;
   bool accelerations;
+  bool lot;                      ///< the lot's errors are unknowns
   const double* force_o;         ///< three per pose
   const double* acceleration_o;  ///< three per pose, divided by standard gravity
 
@@ -27,6 +28,9 @@ struct LinearizeSetting {
 
 /// Columns of the border that a pose has: its force's and its acceleration's.
 constexpr std::size_t columnsOfPose(bool accelerations) { return accelerations ? 6 : 3; }
+
+/// Columns of the border that the lot has: its offset's three and its scale's.
+constexpr std::size_t kLotColumns = 4;
 
 /// Cells: pose by pose, three readings and their precision, which is 0 where there is no reading.
 struct CellLanes {
@@ -43,6 +47,11 @@ struct CellLanes {
   /// of the gradient per pose.
   double* border_sums;
   double* gradient_sums;
+
+  // Where the lot's errors are unknowns.
+  double* lot_border;  ///< 6 x kLotColumns
+  /// To be added to: per pose kLotColumns x columns; then kLotColumns x kLotColumns; then of the gradient.
+  double* lot_sums;
 
   double* workspace;  ///< aligned as all lanes of a number are
   static constexpr std::size_t kWorkspaceOfPose = 41;

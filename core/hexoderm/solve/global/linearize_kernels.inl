@@ -144,6 +144,24 @@ struct PoseOfCell {
 };
 static_assert(sizeof(PoseOfCell) == CellLanes::kWorkspaceOfPose * sizeof(Lanes));
 
+/// What the sensor's errors c of an axis would change if their prior's mean moved along them: with L the prior's
+/// precision and F F^T the information about the errors, F^-1 L c and L c.
+struct MeanMoves {
+  Lanes explained[3][4];
+  Lanes weighted[3][4];
+};
+inline MeanMoves moveMean(const double (&precision)[3][4], const Lanes (&explains)[3][4][4], const Lanes (&c)[3][4]) {
+  MeanMoves moves;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int i = 0; i < 4; ++i) {
+      moves.weighted[axis][i] = precision[axis][i] * c[axis][i];
+      moves.explained[axis][i] = explains[axis][i][0] * moves.weighted[axis][0];
+      for (int j = 1; j <= i; ++j) moves.explained[axis][i] += explains[axis][i][j] * moves.weighted[axis][j];
+    }
+  }
+  return moves;
+}
+
 template <int kColumns>
 unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
   constexpr bool kAccelerations = kColumns == 6;
@@ -281,6 +299,53 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
     for (std::size_t i = 0; i <= j; ++i) {
       store(cells.matrix, 6 * i + j, matrix[j][i]);
       store(cells.matrix, 6 * j + i, matrix[j][i]);
+    }
+  }
+
+  // The lot's errors are the mean of the prior of the sensor's own. Its scale multiplies all that the sensor reads.
+  if (setting.lot) {
+    Lanes c[kLotColumns][3][4] = {};
+    for (int axis = 0; axis < 3; ++axis) {
+      c[axis][axis][0] = all(1);
+      c[3][axis][0] = offset.x[axis];
+      for (int j = 0; j < 3; ++j) c[3][axis][j + 1] = gain.m[axis][j];
+    }
+    double* const pairs = cells.lot_sums + poses * kLotColumns * kColumns * kWidth;
+    double* const slopes = pairs + kLotColumns * kLotColumns * kWidth;
+    MeanMoves moves[kLotColumns];
+    for (std::size_t l = 0; l < kLotColumns; ++l) {
+      moves[l] = moveMean(setting.prior_precision, explains, c[l]);
+      Lanes slope = all(0);
+      Lanes to_cell[6] = {};
+      for (int axis = 0; axis < 3; ++axis) {
+        slope -= moves[l].weighted[axis][0] * offset.x[axis];
+        for (int j = 0; j < 3; ++j) slope -= moves[l].weighted[axis][j + 1] * (gain.m[axis][j] - (axis == j ? 1.0 : 0.0));
+        for (int i = 0; i < 4; ++i) {
+          for (int j = 0; j < 6; ++j) to_cell[j] -= moves[l].explained[axis][i] * mixed[axis][i][j];
+        }
+      }
+      add(slopes, l, slope);
+      for (std::size_t j = 0; j < 6; ++j) store(cells.lot_border, j * kLotColumns + l, to_cell[j]);
+      for (std::size_t m = 0; m <= l; ++m) {
+        Lanes curvature = all(0);
+        for (int axis = 0; axis < 3; ++axis) {
+          for (int i = 0; i < 4; ++i) {
+            curvature += moves[l].weighted[axis][i] * c[m][axis][i];
+            curvature -= moves[l].explained[axis][i] * moves[m].explained[axis][i];
+          }
+        }
+        add(pairs, l * kLotColumns + m, curvature);
+      }
+      for (std::size_t k = 0; k < poses; ++k) {
+        Lanes of_axis[3] = {};
+        for (int axis = 0; axis < 3; ++axis) {
+          for (int i = 0; i < 4; ++i) of_axis[axis] -= moves[l].explained[axis][i] * seen[k].explained[axis][i];
+        }
+        for (std::size_t column = 0; column < kColumns; ++column) {
+          add(cells.lot_sums, (k * kLotColumns + l) * kColumns + column,
+              of_axis[0] * Q[0][column] + of_axis[1] * Q[1][column] + of_axis[2] * Q[2][column]);
+        }
+      }
     }
   }
 

@@ -28,6 +28,7 @@ struct LaneSetting {
     numbers.threshold_squared = problem.loss.threshold * problem.loss.threshold;
     numbers.poses = problem.poses;
     numbers.accelerations = problem.accelerations;
+    numbers.lot = problem.estimatesLot();
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       for (int i = 0; i < 3; ++i) {
         force_o.push_back(state.force_o[pose][i]);
@@ -107,6 +108,8 @@ class CellsInLanes {
         border_(6 * columns_ * problem.poses, kernels.lanes),
         border_sums_(columns_ * columns_ * problem.poses * (problem.poses + 1) / 2, kernels.lanes),
         gradient_sums_(columns_ * problem.poses, kernels.lanes),
+        lot_border_(6 * kLotColumns, kernels.lanes),
+        lot_sums_(kLotColumns * (columns_ * problem.poses + kLotColumns + 1), kernels.lanes),
         workspace_(CellLanes::kWorkspaceOfPose * std::max<std::size_t>(1, problem.poses)),
         prior_(problem.model->accelerometer),
         of_lane_(kernels.lanes) {
@@ -144,7 +147,8 @@ class CellsInLanes {
     of_lane_[lane] = cell;
     R_.put(lane, state_.cells[cell].R);
     lever_.put(lane, Eigen::Vector3d(state_.cells[cell].t - state_.middle_o));
-    for (const CellReading& reading : problem_.readings[cell]) {
+    for (const CellReading& as_read : problem_.readings[cell]) {
+      const CellReading reading = state_.lot.without(as_read);
       if (precision_(reading.pose, lane) != 0) throw std::logic_error("a cell has two readings in one pose");
       precision_(reading.pose, lane) = 1 / reading.variance_g2;
       for (std::size_t i = 0; i < 3; ++i) {
@@ -165,6 +169,8 @@ class CellsInLanes {
                           border_.data(),
                           border_sums_.data(),
                           gradient_sums_.data(),
+                          lot_border_.data(),
+                          lot_sums_.data(),
                           workspace_.data()->numbers};
     const unsigned beyond = kernels_.cells(setting_.numbers, lanes);
     if (beyond == 0) return;
@@ -206,6 +212,8 @@ class CellsInLanes {
         to[places_[column]] += border_(j * width + column, lane);
       }
     }
+    if (!problem_.estimatesLot()) return;
+    equations_.border_cells.block<6, kLotUnknowns>(row, layout_.lot()) += lot_border_.get<6, kLotUnknowns>(lane);
   }
 
   /// In the border, of a pose's column.
@@ -230,6 +238,28 @@ class CellsInLanes {
         }
       }
     }
+    if (problem_.estimatesLot()) addSumsOfLot();
+  }
+
+  void addSumsOfLot() {
+    std::size_t element = 0;
+    for (std::size_t pose = 0; pose < problem_.poses; ++pose) {
+      for (Eigen::Index row = 0; row < kLotUnknowns; ++row) {
+        for (std::size_t column = 0; column < columns_; ++column, ++element) {
+          equations_.border(layout_.lot() + row, placeOf(pose, column)) += lot_sums_.sumOf(element);
+        }
+      }
+    }
+    for (Eigen::Index row = 0; row < kLotUnknowns; ++row) {
+      for (Eigen::Index column = 0; column < kLotUnknowns; ++column, ++element) {
+        if (column <= row) {
+          equations_.border(layout_.lot() + row, layout_.lot() + column) += lot_sums_.sumOf(element);
+        }
+      }
+    }
+    for (Eigen::Index row = 0; row < kLotUnknowns; ++row, ++element) {
+      equations_.gradient_border[layout_.lot() + row] += lot_sums_.sumOf(element);
+    }
   }
 
   const LinearizeKernels& kernels_;
@@ -240,7 +270,7 @@ class CellsInLanes {
   std::size_t columns_;
   LaneSetting setting_;
   LaneArray R_, lever_, y_, precision_;
-  LaneArray cost_, matrix_, gradient_, border_, border_sums_, gradient_sums_;
+  LaneArray cost_, matrix_, gradient_, border_, border_sums_, gradient_sums_, lot_border_, lot_sums_;
   std::vector<LaneBlock> workspace_;
   AccelerometerPrior prior_;
   std::vector<Eigen::Index> places_;  // in the border, of each column of each pose

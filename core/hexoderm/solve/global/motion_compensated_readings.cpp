@@ -23,7 +23,7 @@ std::vector<CellNoise> noiseOfCells(const GlobalProblem& problem, const GlobalSt
                                     std::span<const SensorState> sensors) {
   std::vector<CellNoise> noise;
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
-    const std::vector<CellReading>& readings = problem.readings[cell];
+    const std::vector<CellReading>& readings = sensors[cell].readings;
     if (readings.empty()) continue;
     CellNoise of_cell{squaredLever(state, cell)};
     for (std::size_t k = 0; k < readings.size(); ++k) {

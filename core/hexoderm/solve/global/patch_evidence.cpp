@@ -8,16 +8,16 @@
 namespace hexoderm {
 namespace {
 
-/// The same patch with sensors that are known to have no errors and read just that, each as precise as `sensors` has
-/// it: its equations are J^T W J + K.
-GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const SensorState> sensors,
+/// The same patch with sensors that are known to have no errors, neither their own nor the lot's, and read just that,
+/// each as precise as `sensors` has it: its equations are J^T W J + K.
+GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const SensorState> sensors, double scale,
                                  const CellModel& perfect) {
   GlobalProblem with = problem;
   with.model = &perfect;
   for (std::size_t cell = 0; cell < with.cellCount(); ++cell) {
     for (std::size_t k = 0; k < with.readings[cell].size(); ++k) {
       with.readings[cell][k].y_g = sensors[cell].v_g[k];
-      with.readings[cell][k].variance_g2 = 1 / sensors[cell].fit.precision[k];
+      with.readings[cell][k].variance_g2 = scale * scale / sensors[cell].fit.precision[k];
     }
   }
   return with;
@@ -37,7 +37,7 @@ class CellRows {
     const auto at = static_cast<Eigen::Index>(6 * cell);
     for (std::size_t k = 0; k < problem.readings[cell].size(); ++k) {
       const std::size_t pose = problem.readings[cell][k].pose;
-      const double precision = sensor.fit.precision[k];
+      const double precision = sensor.fit.precision[k] / (state.lot.scale * state.lot.scale);
       const Eigen::Vector3d& v = sensor.v_g[k];
       const Eigen::Vector4d row(1, v.x(), v.y(), v.z());
       rows_.noalias() += precision * row * row.transpose();
@@ -71,25 +71,34 @@ SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& 
     if (!problem.readings[cell].empty()) measured.push_back(cell);
   }
   CellModel perfect = *problem.model;
-  perfect.accelerometer.offset_sigma_g = perfect.accelerometer.scale_sigma = perfect.accelerometer.cross_axis_sigma = 0;
-  const GlobalProblem with_perfect = withPerfectSensors(problem, sensors, perfect);
+  Accelerometer& sensor = perfect.accelerometer;
+  sensor.offset_sigma_g = sensor.scale_sigma = sensor.cross_axis_sigma = 0;
+  sensor.offset_shared_sigma_g = sensor.scale_shared_sigma = 0;
+  const SensorLot& lot = state.lot;
+  const GlobalProblem with_perfect = withPerfectSensors(problem, sensors, lot.scale, perfect);
+  GlobalState without_lot = state;
+  without_lot.lot = {};
   NormalEquations equations;
-  linearize(with_perfect, state, equations);
-  const Eigen::LLT<Eigen::MatrixXd> factor(denseMatrix(problem, equations));
+  linearize(with_perfect, without_lot, equations);
+  const Eigen::LLT<Eigen::MatrixXd> factor(denseMatrix(with_perfect, equations));
   if (factor.info() != Eigen::Success) throw Error("the information matrix is not positive definite");
 
   const auto parameters = static_cast<Eigen::Index>(measured.size()) * kSensorParameters;
   Eigen::MatrixXd mixed = Eigen::MatrixXd::Zero(factor.rows(), parameters);
   SensorEvidence evidence{Eigen::MatrixXd::Zero(parameters, parameters), Eigen::VectorXd::Zero(parameters)};
-  Eigen::VectorXd errors(parameters);
+  Eigen::VectorXd errors(parameters);  // a sensor's own and the lot's
+  Eigen::VectorXd own(parameters);
   for (std::size_t k = 0; k < measured.size(); ++k) {
     const Eigen::Index at = static_cast<Eigen::Index>(k) * kSensorParameters;
-    const SensorState& sensor = sensors[measured[k]];
-    const CellRows cell(problem, state, measured[k], sensor, mixed.middleCols(at, kSensorParameters));
+    const SensorState& seen = sensors[measured[k]];
+    const CellRows cell(with_perfect, state, measured[k], seen, mixed.middleCols(at, kSensorParameters));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
       evidence.information.block<4, 4>(at + 4 * axis, at + 4 * axis) = cell.rows();
-      errors[at + 4 * axis] = sensor.fit.offset_g[axis];
-      errors.segment<3>(at + 4 * axis + 1) = (sensor.fit.gain - Eigen::Matrix3d::Identity()).row(axis).transpose();
+      const Eigen::Vector3d gain = seen.fit.gain.row(axis);
+      own[at + 4 * axis] = seen.fit.offset_g[axis];
+      own.segment<3>(at + 4 * axis + 1) = gain - Eigen::Vector3d::Unit(axis);
+      errors[at + 4 * axis] = lot.offset_g[axis] + lot.scale * seen.fit.offset_g[axis];
+      errors.segment<3>(at + 4 * axis + 1) = lot.scale * gain - Eigen::Vector3d::Unit(axis);
     }
   }
   factor.matrixL().solveInPlace(mixed);
@@ -98,7 +107,7 @@ SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& 
   evidence.weighted = evidence.information * errors;
   for (Eigen::Index k = 0; k < parameters; ++k) {
     const auto axis = static_cast<int>((k % kSensorParameters) / 4);
-    evidence.weighted[k] += prior.precision(axis)[k % 4] * errors[k];
+    evidence.weighted[k] += prior.precision(axis)[k % 4] * own[k] / lot.scale;
   }
   return evidence;
 }

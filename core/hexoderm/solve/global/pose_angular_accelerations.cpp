@@ -85,7 +85,7 @@ AngularAccelerationInReading swingInReading(const GlobalProblem& problem, const 
                                             const AccelerometerFit& sensor, const PoseAngularAccelerations& swings,
                                             std::size_t pose) {
   const Eigen::Matrix3d lever = leverMatrix(state, cell);
-  return {readingPerForce(problem, state, cell, sensor) * (lever * swings.acceleration_o[pose]),
+  return {state.lot.scale * readingPerForce(problem, state, cell, sensor) * (lever * swings.acceleration_o[pose]),
           (lever * swings.covariance[pose] * lever.transpose()).trace() / 3};
 }
 

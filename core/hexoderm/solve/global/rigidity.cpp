@@ -230,7 +230,7 @@ double misfitWith(const AccelerometerPrior& prior, std::span<const CellReading> 
   return squares;
 }
 
-Accelerometer pairOf(const Accelerometer& accelerometer) {
+AccelerometerPrior pairPrior(const Accelerometer& accelerometer, const Eigen::Matrix3d& R_a_b) {
   // The neighbour's gains act in its own, turned axes: a part of its scale errors appears as cross-axis sensitivity.
   // The shares are those of a turn of 60 degrees about z, the commonest in a hexagonal skin.
   constexpr double kScaleKept = 0.75;
@@ -241,7 +241,7 @@ Accelerometer pairOf(const Accelerometer& accelerometer) {
   pair.scale_sigma = std::sqrt((1 + kScaleKept) * scale_sq);
   pair.cross_axis_sigma =
       std::sqrt(2 * accelerometer.cross_axis_sigma * accelerometer.cross_axis_sigma + kScaleTurned * scale_sq);
-  return pair;
+  return AccelerometerPrior(pair, accelerometer.sharedOffsetBetween_g2(R_a_b).diagonal().cwiseMax(0));
 }
 
 }  // namespace hexoderm

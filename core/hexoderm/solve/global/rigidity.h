@@ -88,7 +88,8 @@ AttitudeKernelOptions attitudeKernelOptions(const AccelerometerPrior& prior);
 Eigen::Matrix3d attitudeInformation(const AccelerometerFit& fit, std::span<const Eigen::Vector3d> v_g);
 
 /// The errors of two cells' accelerometers together, as one accelerometer's prior: for testing a cell's readings
-/// against its neighbour's, turned by their relative rotation.
-Accelerometer pairOf(const Accelerometer& accelerometer);
+/// against its neighbour's, turned by their relative rotation `R_a_b` (accelerometer axes, the neighbour's to the
+/// cell's).
+AccelerometerPrior pairPrior(const Accelerometer& accelerometer, const Eigen::Matrix3d& R_a_b);
 
 }  // namespace hexoderm

@@ -119,10 +119,9 @@ class Likelihood {
 
 Variances variancesOf(const Accelerometer& model) {
   constexpr double kMinShare = 0.01;  // of the offsets' variance, so that a shared part can be found
-  const double offset = std::pow(model.offset_sigma_g, 2);
-  const double shared = std::max(std::pow(model.shared_offset_sigma_g, 2), kMinShare * offset);
-  Variances variances(offset - std::min(shared, offset), std::pow(model.scale_sigma, 2),
-                      std::pow(model.cross_axis_sigma, 2), shared);
+  const double own = std::pow(model.offset_sigma_g, 2);
+  const double shared = std::max(std::pow(model.offset_shared_sigma_g, 2), kMinShare * own);
+  Variances variances(own, std::pow(model.scale_sigma, 2), std::pow(model.cross_axis_sigma, 2), shared);
   constexpr double kMinStart = 1e-8;  // from exactly 0 nothing would move
   return variances.cwiseMax(kMinStart);
 }
@@ -234,17 +233,19 @@ std::optional<SharedOffset> lotOf(const Likelihood& likelihood) {
 }  // namespace
 
 Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
-  accelerometer.offset_sigma_g = offset_g.forModel();
   accelerometer.scale_sigma = scale.forModel();
   accelerometer.cross_axis_sigma = cross_axis.forModel();
-  if (shared_offset_g.knowledge == SigmaKnowledge::Measured)
-    accelerometer.shared_offset_sigma_g = shared_offset_g.sigma;
-  if (shared_offset_g.knowledge == SigmaKnowledge::AtMost) accelerometer.shared_offset_sigma_g = 0;
-  accelerometer.shared_offset_sigma_g = std::min(accelerometer.shared_offset_sigma_g, accelerometer.offset_sigma_g);
+  const double whole_g = offset_g.forModel();
+  double& shared_g = accelerometer.offset_shared_sigma_g;
+  if (shared_offset_g.knowledge == SigmaKnowledge::Measured) shared_g = shared_offset_g.sigma;
+  if (shared_offset_g.knowledge == SigmaKnowledge::AtMost) shared_g = 0;
+  shared_g = std::min(shared_g, whole_g);
+  accelerometer.offset_sigma_g = std::sqrt(whole_g * whole_g - shared_g * shared_g);
   return accelerometer;
 }
 
 SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, const Accelerometer& model) {
+  const double whole_offset_g = model.ofUnknownLot().offset_sigma_g;
   const Variances variances = mostLikely(evidence, variancesOf(model));
   const Likelihood likelihood(evidence, variances);
   const Eigen::Matrix4d errors = errorsOf(likelihood.information(), variances);
@@ -267,21 +268,21 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
   // Where a lot's offset is most of it, there are no more than three numbers to know its spread from.
   const bool sees_lot = worthOf(variances[kShared], shared_error) >= kFewestSharedOffsets;
   const std::optional<double> shared_bound =
-      sees_lot ? std::nullopt : boundOf(kShared, std::max(model.offset_sigma_g, std::sqrt(offset)));
+      sees_lot ? std::nullopt : boundOf(kShared, std::max(whole_offset_g, std::sqrt(offset)));
   if (worthOf(offset, offset_error) >= (sees_lot ? kFewestSharedOffsets : kFewestErrors)) {
     sigmas.offset_g = measured(offset, offset_error);
   } else {
-    std::optional<double> bound = boundOf(own, model.offset_sigma_g);
+    std::optional<double> bound = boundOf(own, whole_offset_g);
     if (bound) bound = *bound + (shared_bound ? *shared_bound : variances[kShared]);
-    if (bound && *bound > std::pow(model.offset_sigma_g, 2)) bound.reset();
-    sigmas.offset_g = bounded(offset, offset_error, bound, model.offset_sigma_g);
+    if (bound && *bound > std::pow(whole_offset_g, 2)) bound.reset();
+    sigmas.offset_g = bounded(offset, offset_error, bound, whole_offset_g);
   }
   const bool knows_offset = sigmas.offset_g.knowledge != SigmaKnowledge::Unknown;
   if (sees_lot && knows_offset) {
     sigmas.shared_offset_g = measured(variances[kShared], shared_error);
   } else {
     sigmas.shared_offset_g = bounded(variances[kShared], shared_error, knows_offset ? shared_bound : std::nullopt,
-                                     model.shared_offset_sigma_g);
+                                     model.offset_shared_sigma_g);
   }
   if (sigmas.shared_offset_g.knowledge != SigmaKnowledge::Unknown) sigmas.lot = lotOf(likelihood);
   return sigmas;

@@ -26,7 +26,7 @@ double predictedSigma(const CellModel& model, const Eigen::Matrix3Xd& directions
     readings.push_back({static_cast<std::size_t>(k), directions.col(k), kTremor_g * kTremor_g});
   }
   AccelerometerFit fit;
-  fitAccelerometer(AccelerometerPrior(model.accelerometer), readings, forces, {}, fit);
+  fitAccelerometer(AccelerometerPrior(model.accelerometer.ofUnknownLot()), readings, forces, {}, fit);
   // An edge joins two cells that err alike.
   const Eigen::Matrix3d information = attitudeInformation(fit, forces) / 2 + Eigen::Matrix3d::Identity() / prior_sq;
   return std::sqrt(information.inverse().trace() / 3);

@@ -8,7 +8,8 @@ namespace hexoderm {
 
 /// What all links of a reconstruction have in common.
 struct EdgeKernelOptions {
-  double offset_variance_g2 = 0;  ///< of the accelerometer's errors
+  double offset_variance_g2 = 0;         ///< of the accelerometer's errors
+  double shared_offset_variance_g2 = 0;  ///< of what all have in common
   double scale_variance = 0;
   double cross_axis_variance = 0;
   double support = 0;         ///< information that keeps the equations solvable

@@ -178,6 +178,26 @@ HEXODERM_INLINE void startScatter(double offset_variance_g2, Lanes noises, const
   }
 }
 
+/// Adds the scatter of sum_p v_p x (I - R) b by an offset b that both cells have; (I - R)(I - R)^T = 2 I - R - R^T.
+HEXODERM_INLINE void addSharedOffset(double variance_g2, const Lanes* v, const Lanes* R, Lanes* scatter) {
+  const Lanes variance = all(variance_g2);
+  Lanes left[9];  // [v]x (I - R)(I - R)^T, column by column
+  for (int j = 0; j < 3; ++j) {
+    Lanes column[3];
+    for (int i = 0; i < 3; ++i) {
+      column[i] = variance * (all(i == j ? 2.0 : 0.0) - R[3 * i + j] - R[3 * j + i]);
+    }
+    cross(v, column, left + 3 * j);
+  }
+  int k = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Lanes row[3] = {left[i], left[3 + i], left[6 + i]};
+    Lanes product[3];  // row i of left [v]x^T: v x row
+    cross(v, row, product);
+    for (int j = i; j < 3; ++j, ++k) scatter[k] = scatter[k] + product[j];
+  }
+}
+
 /// A S A of two symmetric matrices.
 HEXODERM_INLINE void multiplyBothSides(const Lanes* A, const Lanes* S, Lanes* product) {
   constexpr int at[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
@@ -208,6 +228,7 @@ HEXODERM_INLINE Mask predict(const EdgeKernelOptions& options, const Sums& sums,
   startScatter(2 * options.offset_variance_g2, sums.noises, sums.noise, sums.v, scatter);  // of both cells
   addSensor(options, sums.by_c, identity, scatter);
   addSensor(options, sums.by_n, R, scatter);
+  if (options.shared_offset_variance_g2 > 0) addSharedOffset(options.shared_offset_variance_g2, sums.v, R, scatter);
   multiplyBothSides(inverse, scatter, covariance);
   const Lanes prior = all(options.support * options.support * options.prior_variance);
   const Lanes unit[6] = {prior, zero, zero, prior, zero, prior};
@@ -322,7 +343,9 @@ HEXODERM_INLINE void estimate(const EdgeKernelOptions& options, const EdgeKernel
   Lanes expected = zero;
   Lanes weights = zero;
   const Lanes offset = (one - centred) * all(options.offset_variance_g2);
-  const Lanes sensors = all(2.0) * (offset + all(options.scale_variance + options.cross_axis_variance));
+  const Lanes shared = (one - centred) * all(options.shared_offset_variance_g2) *
+                       (all(2.0) - all(2.0 / 3.0) * (R[0] + R[4] + R[8]));
+  const Lanes sensors = all(2.0) * (offset + all(options.scale_variance + options.cross_axis_variance)) + shared;
   for (int p = 0; p < in.poses; ++p) {
     Lanes c[3];
     Lanes n[3];

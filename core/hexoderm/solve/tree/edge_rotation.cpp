@@ -108,9 +108,10 @@ class EdgeSolver {
       if (length >= kShortestCentred_g) {
         angle = angleBetween(C.col(p), edge.R_c_n * N.col(p));
         const double offset = edge.centred ? 0 : a.offset_sigma_g;
+        const double shared_g2 = edge.centred ? 0 : a.sharedOffsetBetween_g2(edge.R_c_n).trace() / 3;
         // Two cells, two directions across the vector; gains act on the whole reading, not on what centring leaves.
         const double per_axis =
-            readings_.variance_g2[static_cast<std::size_t>(p)] +
+            readings_.variance_g2[static_cast<std::size_t>(p)] + shared_g2 +
             2 * (offset * offset + a.scale_sigma * a.scale_sigma + a.cross_axis_sigma * a.cross_axis_sigma);
         // A short window says less than a long one.
         const double weight = 1 / std::max(per_axis, kMinVariance_g2);
@@ -126,6 +127,13 @@ class EdgeSolver {
   }
 
  private:
+  /// Scatter of sum_p v_p x e of the offset e that the lot leaves between the two cells.
+  [[nodiscard]] Eigen::Matrix3d sharedScatter(const Eigen::Matrix3Xd& v, const Eigen::Matrix3d& R_c_n) const {
+    const Accelerometer& a = model_.accelerometer;
+    const Eigen::Matrix3d S = skew(v.rowwise().sum());
+    return S * a.sharedOffsetBetween_g2(R_c_n) * S.transpose();
+  }
+
   /// First-order covariance of d in R_true = exp(d) R: with A the information of the vectors used,
   /// d = A^-1 sum_p v_p x e_p, e_p the error of c_p less that of R n_p.
   void predict(EdgeRotation& edge, const Eigen::Matrix3Xd& C, const Eigen::Matrix3d& axes) const {
@@ -133,7 +141,8 @@ class EdgeSolver {
     const Eigen::Matrix3d inverse = (rotationInformation(C) + support * Eigen::Matrix3d::Identity()).inverse();
     const Eigen::Matrix3d scatter = noiseScatter(C, readings_.variance_g2) +
                                     sensorScatter(model_.accelerometer, C, readings_.c_g, Eigen::Matrix3d::Identity()) +
-                                    sensorScatter(model_.accelerometer, C, readings_.n_g, edge.R_c_n);
+                                    sensorScatter(model_.accelerometer, C, readings_.n_g, edge.R_c_n) +
+                                    sharedScatter(C, edge.R_c_n);
     // Support axes pull towards the nominal alignment, which is wrong by what the elastomer really bends.
     Eigen::Vector3d prior(model_.twist_sigma_rad, model_.bend_sigma_rad, model_.yaw_sigma_rad);
     if (!edge.supported) prior.setConstant(kUniformSigma);
@@ -166,6 +175,7 @@ EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions&
   const Accelerometer& a = model.accelerometer;
   EdgeKernelOptions kernel;
   kernel.offset_variance_g2 = a.offset_sigma_g * a.offset_sigma_g;
+  kernel.shared_offset_variance_g2 = a.offset_shared_sigma_g * a.offset_shared_sigma_g;
   kernel.scale_variance = a.scale_sigma * a.scale_sigma;
   kernel.cross_axis_variance = a.cross_axis_sigma * a.cross_axis_sigma;
   kernel.support = kUnsupportedInformation;

@@ -21,6 +21,14 @@ inline const char* nameOf(const GapShare& gap) {
   return gap.mean == 0 ? "pivot" : "arc";
 }
 
+/// Chips that share an offset and a scale.
+inline CellModel modelOfALot() {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.offset_shared_sigma_g = 0.05;
+  model.accelerometer.scale_shared_sigma = 0.1;
+  return model;
+}
+
 struct GlobalCase {
   explicit GlobalCase(CellModel cell_model) : model(std::make_shared<const CellModel>(std::move(cell_model))) {
     problem.model = model.get();
@@ -167,6 +175,10 @@ inline GlobalState perturbed(const GlobalProblem& problem, const GlobalState& st
     if (problem.accelerations) border.segment<3>(layout.acceleration(pose)) = 3 * draw.vector();
   }
   if (problem.gap.sigma) border[layout.gapShare()] = 0.3 * draw.normal();
+  if (problem.estimatesLot()) {
+    border.segment<3>(layout.lot()) = 0.03 * draw.vector();
+    border[layout.lot() + 3] = 0.1 * draw.normal();
+  }
   return moved(problem, state, cells, border);
 }
 

@@ -17,10 +17,11 @@ Eigen::MatrixXd drawMatrix(NormalDraw& draw, Eigen::Index rows, Eigen::Index col
   return Eigen::MatrixXd::NullaryExpr(rows, cols, [&] { return draw.normal(); });
 }
 
+/// `offset_g`: of all of it.
 Accelerometer accelerometer(double offset_g, double shared_g, double scale, double cross_axis) {
   Accelerometer result;
-  result.offset_sigma_g = offset_g;
-  result.shared_offset_sigma_g = shared_g;
+  result.offset_sigma_g = std::sqrt(offset_g * offset_g - shared_g * shared_g);
+  result.offset_shared_sigma_g = shared_g;
   result.scale_sigma = scale;
   result.cross_axis_sigma = cross_axis;
   return result;
@@ -29,9 +30,7 @@ Accelerometer accelerometer(double offset_g, double shared_g, double scale, doub
 /// Errors of so many sensors of one lot.
 Eigen::VectorXd drawErrors(const Accelerometer& sigmas, std::size_t sensors, const Eigen::Vector3d& lot_g,
                            NormalDraw& draw) {
-  Accelerometer own = sigmas;
-  own.offset_sigma_g = std::sqrt(std::pow(sigmas.offset_sigma_g, 2) - std::pow(sigmas.shared_offset_sigma_g, 2));
-  const Eigen::VectorXd prior = priorVariances(own, sensors);
+  const Eigen::VectorXd prior = priorVariances(sigmas, sensors);
   Eigen::VectorXd errors = prior.cwiseSqrt().cwiseProduct(drawMatrix(draw, prior.size()));
   for (Eigen::Index k = 0; k < errors.size(); k += 4) errors[k] += lot_g[(k % kSensorParameters) / 4];
   return errors;
@@ -151,8 +150,8 @@ TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
   }
   EXPECT_FALSE(sigmas.lot);
   const Accelerometer written = sigmas.inModel(model);
-  EXPECT_EQ(written.offset_sigma_g, model.offset_sigma_g);
-  EXPECT_EQ(written.shared_offset_sigma_g, model.shared_offset_sigma_g);
+  EXPECT_DOUBLE_EQ(written.offset_sigma_g, model.offset_sigma_g);
+  EXPECT_DOUBLE_EQ(written.offset_shared_sigma_g, model.offset_shared_sigma_g);
   EXPECT_EQ(written.scale_sigma, model.scale_sigma);
   EXPECT_EQ(written.cross_axis_sigma, model.cross_axis_sigma);
   EXPECT_EQ(estimateSensorSigmas({}, model).offset_g.knowledge, SigmaKnowledge::Unknown);

@@ -1,0 +1,97 @@
+// Skins whose chips are of one lot: their accelerometers share an offset and a scale.
+
+#include "hexoderm/base/median.h"
+#include "hexoderm/base/units.h"
+#include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/reconstructor.h"
+#include "tests/support/matchers.h"
+#include "tests/support/simulated_skins.h"
+#include "tests/support/slow_build.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+namespace hexoderm {
+namespace {
+
+constexpr std::uint64_t kSeeds = test::kSlowBuild ? 4 : 24;
+
+CellModel chips(double own_g, double shared_g, double shared_scale) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.accelerometer.offset_sigma_g = own_g;
+  model.accelerometer.offset_shared_sigma_g = shared_g;
+  model.accelerometer.scale_shared_sigma = shared_scale;
+  return model;
+}
+
+struct Outcome {
+  std::vector<double> errors_rad;  ///< rms over the cells, per skin
+  double squares = 0;              ///< of orientation errors in units of the stated sigma, mean of three axes
+  double cells = 0;
+  std::size_t accused = 0;
+  [[nodiscard]] double typicalError_deg() const { return toDegrees(median(errors_rad)); }
+  [[nodiscard]] double normalisedSquare() const { return squares / cells; }
+};
+
+/// Skins of chips of `real`, estimated by `believed`.
+Outcome calibrate(const CellModel& real, const CellModel& believed, const std::string& patch, std::size_t poses,
+                  Solver solver = Solver::Global) {
+  Outcome outcome;
+  SolverOptions options;
+  options.solver = solver;
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    SimulatedSkin skin(real, test::skinOptions(patch, "", seed));
+    Session session = simulateSession(skin, poses);
+    session.setSkin(believed, session.neighbors());
+    const auto result = reconstruct(*session.snapshot(), options);
+    outcome.errors_rad.push_back(compareToTruth(*result, *session.truth()).at(0).orientation_rms_rad);
+    outcome.accused += static_cast<std::size_t>(std::ranges::count_if(
+        result->findings, [](const Finding& finding) { return finding.severity != Severity::Info; }));
+    const PatchReconstruction& of = result->patches.front();
+    for (const CellPlacement& cell : of.cells) {
+      if (cell.cell == of.origin) continue;
+      const SE3 T_o_u = test::truePlacement(skin, of.origin).inverse() * test::truePlacement(skin, cell.cell);
+      const Eigen::Vector3d error = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
+      const Eigen::Matrix3d covariance = cell.cov_t_r->bottomRightCorner<3, 3>();
+      outcome.squares += error.dot(covariance.ldlt().solve(error)) / 3;
+      ++outcome.cells;
+    }
+  }
+  return outcome;
+}
+
+TEST(Lot, MakesFewPosesMoreExactThanIndependentErrorsOfTheSameSize) {
+  const CellModel real = chips(0.015, 0.05, 0);
+  const CellModel independent = chips(std::hypot(0.015, 0.05), 0, 0);
+  const Outcome known = calibrate(real, real, "x17", 2);
+  const Outcome unknown = calibrate(real, independent, "x17", 2);
+  EXPECT_LT(known.typicalError_deg(), 1.9);
+  EXPECT_LT(known.typicalError_deg(), 0.75 * unknown.typicalError_deg());
+}
+
+TEST(Lot, AccusesNoHealthyCellAndStatesWhatItKnows) {
+  for (const char* patch : {"x17", "ring8:closed"}) {
+    for (const double scale : {0.0, 0.1}) {
+      const CellModel model = chips(0.015, 0.05, scale);
+      for (const std::size_t poses : {2U, 4U}) {
+        const Outcome outcome = calibrate(model, model, patch, poses);
+        const std::string what = patch + (", scale " + std::to_string(scale)) + ", poses " + std::to_string(poses);
+        EXPECT_EQ(outcome.accused, 0U) << what;
+        EXPECT_GT(outcome.normalisedSquare(), 0.6) << what;
+        EXPECT_LT(outcome.normalisedSquare(), 1.6) << what;
+      }
+    }
+  }
+}
+
+TEST(Lot, OfTheTreeIsCountedInItsLinks) {
+  const CellModel model = chips(0.015, 0.05, 0.1);
+  const Outcome outcome = calibrate(model, model, "x17", 3, Solver::Tree);
+  EXPECT_EQ(outcome.accused, 0U);
+  EXPECT_LT(outcome.normalisedSquare(), 2);
+}
+
+}  // namespace
+}  // namespace hexoderm
