@@ -192,8 +192,8 @@ INSTANTIATE_TEST_SUITE_P(Cones, ConeAngle,
 
 TEST(SurfaceFits, OfNoisyPointsAreMinimaWhateverTheirUnitsPlaceAndOrder) {
   for (const auto& [fitted, points, radius_m, half_angle_rad] :
-       {std::tuple(fitCylinder, noisy(0.0005, crossOnCylinder(0.0501, 2)), 0.0501, 0.0),
-        std::tuple(fitCone, noisy(0.0005, onCone(0.4, 0.05, 4)), 0.08 * std::tan(0.4), 0.4)}) {
+       {std::tuple(&fitCylinder, noisy(0.0005, crossOnCylinder(0.0501, 2)), 0.0501, 0.0),
+        std::tuple(&fitCone, noisy(0.0005, onCone(0.4, 0.05, 4)), 0.08 * std::tan(0.4), 0.4)}) {
     const SurfaceFit fit = fitted(points);
     EXPECT_NEAR(fit.radius_m, radius_m, 0.002);
     EXPECT_NEAR(fit.half_angle_rad, half_angle_rad, 0.05);
