@@ -66,7 +66,7 @@ TEST_F(CliPatches, APatchOrAllOfThemAreExportedOnRequest) {
   EXPECT_EQ(run("export arm.calibration.json --to csv -o tables").err, "") << "all of them, unasked";
   for (const auto& [options, says] :
        {std::pair("ply --patch 999", "no patch holds a cell 999"), std::pair("urdf --all-patches", "one frame"),
-        std::pair("vtp --patch 1 --all-patches", "all_patches")}) {
+        std::pair("vtp --patch 1 --all-patches", "excludes")}) {
     EXPECT_THAT(errorOf("export arm.calibration.json -o nowhere --to " + std::string(options), 2), HasSubstr(says));
   }
   EXPECT_FALSE(exists("nowhere"));
