@@ -268,6 +268,7 @@ TEST_F(WindowPlaceTest, ARobotWhoseMeshesAreMissingOrHostileIsOfUseForLinksAndSa
   ASSERT_NO_FATAL_FAILURE(chooseJoints(pathTo("arm.csv")));
   EXPECT_FALSE(stand().link.isEmpty()) << stand().link_says.text.toStdString();
   EXPECT_FALSE(stand().has_surface);
+  EXPECT_FALSE(find<QPushButton>("placeMove")->isEnabled());
   EXPECT_TRUE(stand().places.isEmpty());
   ASSERT_NO_FATAL_FAILURE(typePoints(CellId(stand().patch)));
   EXPECT_FALSE(stand().places.isEmpty()) << "points say where it lies: " << stand().place_says.text.toStdString();
@@ -348,7 +349,6 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   }
   const CellId origin(stand().patch);
   ASSERT_EQ(mounted(origin).link, "upper_arm");
-  EXPECT_FALSE(find<QPushButton>("placeMove")->isEnabled()) << "it has no place yet";
   ASSERT_NO_FATAL_FAILURE(typePoints(origin));
   ASSERT_NO_FATAL_FAILURE(clickRowOf(find<QListWidget>("placePlaceList"), 0));
   ASSERT_TRUE(waitForWork());

@@ -67,19 +67,13 @@ TEST_F(PatchSceneFormTest, CellsOfALargeSkinHaveIdsWhereTheyAreNear) {
 TEST_F(PatchSceneFormTest, TheBackOfACellDoesNotLookLikeItsFront) {
   constexpr QRect kMiddle(kWidth / 4, kHeight / 4, kWidth / 2, kHeight / 2);
   // From right in front and right behind, where the light is the same.
+  scene.setReconstruction(shared(sheetReconstruction(5, 4)));
   scene.setShown(SceneItem::Ports, false);
   scene.setParallel(true);
-  for (const auto& [columns, rows] : {std::pair(5U, 4U), std::pair(60U, 50U)}) {
-    const Reconstruction sheet = sheetReconstruction(columns, rows);
-    scene.setReconstruction(shared(sheet));
-    scene.showStandardView(View::Front);
-    const auto front = picture();
-    scene.renderer()->GetActiveCamera()->Azimuth(180);
-    EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6) << columns;
-    const CellId middle = sheet.patches[0].cells[sheet.cellCount() / 2].cell;
-    const auto [x, y] = pixelOf(sheet, middle);
-    EXPECT_EQ(scene.pick(x, y), middle);
-  }
+  scene.showStandardView(View::Front);
+  const auto front = picture();
+  scene.renderer()->GetActiveCamera()->Azimuth(180);
+  EXPECT_GT(differingShare(front, picture(), kChannelSlack, kMiddle), 0.6);
 }
 
 TEST_F(PatchSceneFormTest, IsLookedAtFromBehindAndFromBetweenTheAxes) {

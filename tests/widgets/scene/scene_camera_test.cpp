@@ -11,6 +11,29 @@
 namespace hexoderm {
 namespace {
 
+TEST_F(PatchSceneTest, LargeSkinShowsShadedCellsFromBehindAndCanBePickedThere) {
+  const Reconstruction sheet = sheetReconstruction(60, 50);
+  scene.setReconstruction(shared(sheet));
+  scene.setShown(SceneItem::Gravity, false);
+  scene.setShown(SceneItem::Axes, false);
+  setSmoothed(*window, false);
+  scene.showStandardView(PatchScene::View::Front);
+  const CellId middle(30 + 60 * 25);
+  const auto colourOf = [&](const QImage& image) {
+    const auto [x, y] = pixelOf(sheet, middle);
+    return image.pixelColor(static_cast<int>(x), static_cast<int>(y));
+  };
+  const auto front = colourOf(picture());
+  scene.renderer()->GetActiveCamera()->Azimuth(180);
+  const auto behind = colourOf(picture());
+  // Darker and greyed: value is the largest channel, saturation the spread of all in proportion to it.
+  const auto spread = [](const QColor& color) { return color.value() * color.saturationF(); };
+  EXPECT_LT(spread(behind), 0.6 * spread(front));
+  EXPECT_LT(behind.value(), 0.8 * front.value());
+  const auto [x, y] = pixelOf(sheet, middle);
+  EXPECT_EQ(scene.pick(x, y), middle);
+}
+
 TEST_F(PatchSceneTest, CellsOfAPixelAreDrawnAsBricksThatLookTheSame) {
   const auto sheet = shared(sheetReconstruction(300, 220));
   const auto content = makeSceneContent(sheet);
