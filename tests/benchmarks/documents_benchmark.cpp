@@ -1,23 +1,18 @@
-// Reading and writing sessions and calibrations: CPU time beside nlohmann's documents alone (and simdjson's, where that
-// is installed), and memory. All of a line is measured in one run, on the same text; the ratios are what counts.
+// Reading and writing sessions and calibrations: CPU time beside nlohmann's documents alone, and memory. All of a line
+// is measured in one run, on the same text; the ratios are what counts.
 //
 //     documents_benchmark [CELLS...]     about so many cells each; 1260, 10000 and 100000 if none is said
 
+#include <malloc.h>
+#include <nlohmann/json.hpp>
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/io/calibration_json.h"
-#include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/io/session_json_read.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/support/options.h"
 #include "tests/support/peak_memory.h"
 #include "tests/support/simulated_skins.h"
-#ifdef HEXODERM_HAS_SIMDJSON
-#include <simdjson.h>
-#endif
-#include <malloc.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -59,31 +54,15 @@ void measure(std::size_t cells) {
   const auto nowhere = [](std::string_view /*piece*/) {};
   const std::string session_text = sessionToJson(session);
   const std::string calibration_text = calibrationToJson(*calibration);
-  for (const auto& [title, text, read_quickly, read_thoroughly] :
-       {std::tuple<const char*, const std::string&, std::function<void()>, std::function<void()>>(
-            "reading a session", session_text,
-            [&] {
-              if (!scanSessionJson(session_text, "s.session.json")) throw std::runtime_error("not read quickly");
-            },
-            [&] { sessionFromDocument(session_text, "s.session.json"); }),
-        {"reading a calibration", calibration_text,
-         [&] {
-           if (!scanCalibrationJson(calibration_text, "c.json")) throw std::runtime_error("not read quickly");
-         },
-         [&] { calibrationFromDocument(calibration_text, "c.json"); }}}) {
-    const std::string& json = text;
-    [[maybe_unused]] std::size_t kept_size = 0;
-    std::vector<Work> works = {{"read, quick", read_quickly}, {"read, thorough", read_thoroughly}};
-    works.push_back({"SHA-256 alone", [&] { sha256Hex(json); }});
-#ifdef HEXODERM_HAS_SIMDJSON
-    works.push_back({"simdjson, document alone", [&] {
-                       simdjson::dom::parser parser;
-                       if (parser.parse(json).error() != simdjson::SUCCESS) throw std::runtime_error("simdjson");
-                     }});
-#endif
-    works.push_back({"nlohmann, document alone", [&] { kept_size = nlohmann::json::parse(json).size(); }});
-    show(title, json.size(), works);
-  }
+  const auto show_reading = [](const char* title, const std::string& json, const std::function<void()>& read) {
+    std::size_t kept_size = 0;
+    show(title, json.size(),
+         {{"read", read},
+          {"SHA-256 alone", [&] { sha256Hex(json); }},
+          {"nlohmann, document alone", [&] { kept_size = nlohmann::json::parse(json).size(); }}});
+  };
+  show_reading("reading a session", session_text, [&] { parseSessionJson(session_text, "s.session.json"); });
+  show_reading("reading a calibration", calibration_text, [&] { parseCalibrationJson(calibration_text, "c.json"); });
   const auto session_document = nlohmann::ordered_json::parse(session_text);
   show("writing a session", session_text.size(),
        {{"written", [&] { writeSessionJson(session, nowhere); }},
