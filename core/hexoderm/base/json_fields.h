@@ -1,10 +1,8 @@
 #pragma once
 
-// The members of an object, described once for what writes them (JsonWriter) and for what reads them
-// (JsonReader, JsonScanner).
+// The members of an object, described once for what writes them (JsonWriter) and for what reads them (JsonReader).
 
 #include "hexoderm/base/json_reader.h"
-#include "hexoderm/base/json_scanner.h"
 #include "hexoderm/base/json_writer.h"
 
 #include <cmath>
@@ -19,8 +17,8 @@ template <class Json>
 inline constexpr bool kIsRead = !std::is_same_v<Json, JsonWriter>;
 
 /// The value of a member as its type is: a text, true or false, a whole number, an ID, a finite number, or a list.
-template <class In, class Value>
-void takeValue(In& in, Value& value) {
+template <class Value>
+void takeValue(const JsonReader& in, Value& value) {
   if constexpr (std::is_same_v<Value, std::string>) {
     value = in.string();
   } else if constexpr (std::is_same_v<Value, bool>) {
@@ -32,7 +30,7 @@ void takeValue(In& in, Value& value) {
   } else if constexpr (std::signed_integral<Value>) {
     value = in.integer();
   } else if constexpr (requires { value.emplace_back(); }) {
-    in.eachItem([&](auto& item) { takeValue(item, value.emplace_back()); });
+    for (const JsonReader& item : in.items()) takeValue(item, value.emplace_back());
   } else {
     static_assert(std::is_same_v<Value, std::uint32_t> || std::is_same_v<Value, std::size_t> || std::is_class_v<Value>);
     value = Value(in.unsignedInteger());
@@ -43,8 +41,8 @@ void takeValue(In& in, Value& value) {
 
 /// As its type is.
 struct AsItIs {
-  template <class In, class Value>
-  void take(In& in, Value& value) const {
+  template <class Value>
+  void take(const JsonReader& in, Value& value) const {
     takeValue(in, value);
   }
   template <class Value>
@@ -62,36 +60,33 @@ template <class Read>
 struct ReadBy : AsItIs {
   Read read;
   constexpr explicit ReadBy(Read by) : read(std::move(by)) {}
-  template <class In, class Value>
-  void take(In& in, Value& value) const {
+  template <class Value>
+  void take(const JsonReader& in, Value& value) const {
     read(in, value);
   }
 };
-inline constexpr ReadBy kPositive([](auto& in, double& value) { value = in.positiveNumber(); });
-inline constexpr ReadBy kNonNegative([](auto& in, double& value) { value = in.nonNegativeNumber(); });
-inline constexpr ReadBy kNonNegativeVector([](auto& in, Eigen::Vector3d& value) {
+inline constexpr ReadBy kPositive([](const JsonReader& in, double& value) { value = in.positiveNumber(); });
+inline constexpr ReadBy kNonNegative([](const JsonReader& in, double& value) { value = in.nonNegativeNumber(); });
+inline constexpr ReadBy kNonNegativeVector([](const JsonReader& in, Eigen::Vector3d& value) {
   value = in.vector3();
   if ((value.array() < 0).any()) in.fail(message("three numbers of at least 0"));
 });
 /// Nine numbers, row by row.
-inline constexpr ReadBy kRotation([](auto& in, Eigen::Matrix3d& R) { R = in.rotation(); });
+inline constexpr ReadBy kRotation([](const JsonReader& in, Eigen::Matrix3d& R) { R = in.rotation(); });
 /// Numbers of at most this magnitude.
 inline auto vectorWithin(double most) {
-  return ReadBy([most](auto& in, Eigen::Vector3d& value) { value = in.vector3(most); });
+  return ReadBy([most](const JsonReader& in, Eigen::Vector3d& value) { value = in.vector3(most); });
 }
 /// Whole numbers and IDs.
 inline auto wholeFrom(std::uint32_t least, std::uint32_t most = UINT32_MAX) {
-  return ReadBy([=](auto& in, auto& value) {
+  return ReadBy([=](const JsonReader& in, auto& value) {
     value = std::remove_reference_t<decltype(value)>(in.unsignedInteger(least, most));
   });
 }
 
 /// Four numbers w, x, y, z.
 struct AsQuaternion {
-  template <class In>
-  void take(In& in, Eigen::Matrix3d& R) const {
-    R = in.unitQuaternion().toRotationMatrix();
-  }
+  void take(const JsonReader& in, Eigen::Matrix3d& R) const { R = in.unitQuaternion().toRotationMatrix(); }
   void put(JsonWriter& out, const Eigen::Matrix3d& R) const { out.value(quaternionWxyz(R)); }
 };
 /// In another unit than in memory. A number that is written is read as the same again wherever there is such a one, and
@@ -99,8 +94,7 @@ struct AsQuaternion {
 struct InUnit {
   double unit;
   bool is_signed = false;
-  template <class In>
-  void take(In& in, double& value) const {
+  void take(const JsonReader& in, double& value) const {
     value = (is_signed ? in.number() : in.nonNegativeNumber()) * unit;
   }
   void put(JsonWriter& out, double value) const {
@@ -119,8 +113,8 @@ struct Named {
   NameOf name_of;
   FromName from_name;
   Expected expected;
-  template <class In, class Value>
-  void take(In& in, Value& value) const {
+  template <class Value>
+  void take(const JsonReader& in, Value& value) const {
     const auto found = from_name(in.string());
     if (!found) in.fail(expected());
     value = *found;
@@ -133,21 +127,19 @@ struct Named {
 template <class NameOf, class FromName, class Expected>
 Named(NameOf, FromName, Expected) -> Named<NameOf, FromName, Expected>;
 
-/// A record that `fields(json, record)` describes, or a list of them. `usual`: how many there are, as a rule; 0: that
-/// varies.
+/// A record that `fields(json, record)` describes, or a list of them.
 template <class Fields>
 struct Described {
   Fields fields;
-  std::size_t usual = 0;
-  template <class In, class Record>
-  void take(In& in, Record& record) const {
+  template <class Record>
+  void take(const JsonReader& in, Record& record) const {
     fields(in, record);
   }
-  template <class In, class Record>
-  void take(In& in, std::vector<Record>& records) const {
-    records.reserve(usual);
-    in.eachItem([&](auto& item) { fields(item, records.emplace_back()); });
-    if (records.size() != usual) records.shrink_to_fit();
+  template <class Record>
+  void take(const JsonReader& in, std::vector<Record>& records) const {
+    const std::vector<JsonReader> items = in.items();
+    records.reserve(items.size());
+    for (const JsonReader& item : items) fields(item, records.emplace_back());
   }
   template <class Record>
   void put(JsonWriter& out, const Record& record) const {
@@ -159,7 +151,7 @@ struct Described {
   }
 };
 template <class Fields>
-Described(Fields, std::size_t = 0) -> Described<Fields>;
+Described(Fields) -> Described<Fields>;
 
 /// Says nothing: what an optional member is not written for.
 template <class Value>
@@ -183,17 +175,14 @@ struct JsonField {
   As as;
   bool is_required;
   bool is_left_out;  ///< where it says nothing
-  bool is_taken = false;
 
-  template <class In>
-  void takeFrom(In& in) {
+  void takeFrom(const JsonReader& object) const {
+    const std::optional<JsonReader> found = is_required ? object.at(key) : object.find(key);
+    if (!found) return;
     if constexpr (requires { *value; }) {
-      if constexpr (std::is_same_v<In, JsonScanner>) {
-        if (!is_required && in.isNull()) return;  // as JsonReader takes it
-      }
-      as.take(in, value.emplace());
+      as.take(*found, value.emplace());
     } else {
-      as.take(in, value);
+      as.take(*found, value);
     }
   }
   void write(JsonWriter& out) const {
@@ -225,15 +214,21 @@ JsonField<Value, As> optionalField(std::string_view key, Value& value, As as = {
 /// A member that follows from others: `get` returns what is written, or nullopt; `take` looks at what is read, if it is
 /// there.
 template <class Get, class Take>
-struct DerivedField : JsonMember<Take> {
+struct DerivedField {
+  std::string_view key;
   Get get;
+  Take take;
+
+  void takeFrom(const JsonReader& object) const {
+    if (const auto found = object.find(key)) take(*found);
+  }
   void write(JsonWriter& out) const {
-    if (const auto value = get()) out.member(this->key, *value);
+    if (const auto value = get()) out.member(key, *value);
   }
 };
 template <class Get, class Take>
 DerivedField<Get, Take> derivedField(std::string_view key, Get get, Take take) {
-  return {{key, false, std::move(take)}, std::move(get)};
+  return {key, std::move(get), std::move(take)};
 }
 
 /// Text of a document of which `write` writes the only value.

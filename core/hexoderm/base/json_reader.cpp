@@ -1,14 +1,13 @@
 #include "hexoderm/base/json_reader.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/file.h"
 #include "hexoderm/base/is_rotation.h"
 #include "hexoderm/base/spelling_suggestion.h"
 #include "hexoderm/base/text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 namespace hexoderm {
 namespace {
@@ -32,26 +31,25 @@ MessageArgument placeOf(const std::string& path) {
 /// twice, of which readers would take one or the other, and more levels or values than are read.
 class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
  public:
-  DocumentBuilder(std::size_t most_values, std::size_t levels_above)
-      : most_values_(most_values), levels_above_(levels_above) {}
+  explicit DocumentBuilder(std::size_t most_values) : most_values_(most_values) {}
 
   bool null() override { return add(nullptr); }
   bool boolean(bool value) override { return add(value); }
   bool number_integer(number_integer_t value) override { return add(value); }
   bool number_unsigned(number_unsigned_t value) override { return add(value); }
   bool number_float(number_float_t value, const string_t& /*text*/) override { return add(value); }
-  bool string(string_t& value) override { return add(value); }
+  bool string(string_t& value) override { return add(std::move(value)); }
   bool binary(binary_t& /*value*/) override { return false; }
-  bool start_object(std::size_t /*size*/) override { return open(nlohmann::json::value_t::object); }
-  bool start_array(std::size_t /*size*/) override { return open(nlohmann::json::value_t::array); }
+  bool start_object(std::size_t /*size*/) override { return open(nlohmann::json::object()); }
+  bool start_array(std::size_t /*size*/) override { return open(nlohmann::json::array()); }
   bool end_object() override { return close(); }
   bool end_array() override { return close(); }
   bool key(string_t& value) override {
-    open_.back().key = value;
-    const auto [member, is_new] = open_.back().value->get_ref<nlohmann::json::object_t&>().try_emplace(value);
-    if (!is_new) return refuse(message("is there twice, expected each key once"));
-    member_ = &member->second;
-    return true;
+    Level& object = open_.back();
+    object.key = value;
+    const auto [member, is_new] = object.value.get_ref<nlohmann::json::object_t&>().try_emplace(std::move(value));
+    object.member = &member->second;
+    return is_new || refuse(message("is there twice, expected each key once"));
   }
   bool parse_error(std::size_t position, const std::string& last_token,
                    const nlohmann::json::exception& error) override {
@@ -76,11 +74,12 @@ class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
     constexpr std::size_t kLongest = 200;
     constexpr std::size_t kLongestKey = 60;
     std::string path;
-    for (const Level& level : open_) {
+    for (std::size_t k = 0; k < open_.size(); ++k) {
       if (path.size() > kLongest) return path + "...";
-      if (level.value->is_array()) {
-        const bool is_within_last = &level != &open_.back();
-        path += "[" + std::to_string(level.value->size() - (is_within_last ? 1 : 0)) + "]";
+      const Level& level = open_[k];
+      if (level.value.is_array()) {
+        const std::size_t end = k + 1 < open_.size() ? open_[k + 1].first_item : items_.size();
+        path += "[" + std::to_string(end - level.first_item) + "]";
       } else if (!level.key.empty()) {
         path += (path.empty() ? "" : ".") + shortened(level.key, kLongestKey);
       }
@@ -91,8 +90,10 @@ class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
  private:
   /// An array or an object that is not closed yet.
   struct Level {
-    nlohmann::json* value;
-    std::string key;  ///< of the member whose value is read
+    nlohmann::json value;              ///< an array gets its items when it is closed
+    std::size_t first_item;            ///< in items_
+    std::string key = {};              ///< of the member whose value is read
+    nlohmann::json* member = nullptr;  ///< that member
   };
 
   bool refuse(Message why) {
@@ -105,47 +106,48 @@ class DocumentBuilder final : public nlohmann::json_sax<nlohmann::json> {
            refuse(message("the file has too many values, at most {} are read", most_values_));
   }
 
-  /// The place of the next value, with the value in it.
-  template <class Value>
-  nlohmann::json& put(Value&& value) {
-    if (open_.empty()) return root_ = std::forward<Value>(value);
-    nlohmann::json& parent = *open_.back().value;
-    if (parent.is_array()) {
-      return parent.get_ref<nlohmann::json::array_t&>().emplace_back(std::forward<Value>(value));
+  void put(nlohmann::json value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+    } else if (Level& level = open_.back(); level.value.is_array()) {
+      items_.push_back(std::move(value));
+    } else {
+      *level.member = std::move(value);
+      level.key.clear();
     }
-    return *member_ = std::forward<Value>(value);
   }
 
-  template <class Value>
-  bool add(Value&& value) {
+  bool add(nlohmann::json value) {
     if (!count()) return false;
-    put(std::forward<Value>(value));
-    return endValue();
+    put(std::move(value));
+    return true;
   }
 
-  bool open(nlohmann::json::value_t kind) {
-    if (levels_above_ + open_.size() >= kMaxJsonLevels) {
+  bool open(nlohmann::json empty) {
+    if (open_.size() >= kMaxJsonLevels) {
       return refuse(message("is nested too deeply, at most {} levels are read", kMaxJsonLevels));
     }
     if (!count()) return false;
-    nlohmann::json& opened = put(nlohmann::json(kind));
-    open_.push_back({&opened, {}});
+    open_.push_back({std::move(empty), items_.size()});
     return true;
   }
   bool close() {
+    Level level = std::move(open_.back());
     open_.pop_back();
-    return endValue();
-  }
-  bool endValue() {
-    if (!open_.empty()) open_.back().key.clear();
+    if (level.value.is_array()) {
+      const auto first = items_.begin() + static_cast<std::ptrdiff_t>(level.first_item);
+      level.value.get_ref<nlohmann::json::array_t&>().assign(std::move_iterator(first),
+                                                             std::move_iterator(items_.end()));
+      items_.erase(first, items_.end());
+    }
+    put(std::move(level.value));
     return true;
   }
 
   nlohmann::json root_;
-  std::vector<Level> open_;           ///< from outside to inside
-  nlohmann::json* member_ = nullptr;  ///< of the innermost object, whose value comes next
+  std::vector<Level> open_;            ///< from outside to inside
+  std::vector<nlohmann::json> items_;  ///< of the arrays among them
   std::size_t most_values_;
-  std::size_t levels_above_;
   std::size_t values_ = 0;
   Message refusal_;
   Fault fault_;
@@ -201,17 +203,25 @@ bool isNotFinite(std::string_view word) {
                                           : message("this is not JSON, expected a JSON value here")));
 }
 
+/// The key path of a value of a document, or of a part of one; nullopt where it isn't.
+std::optional<std::string> pathTo(const nlohmann::json& value, const nlohmann::json& within) {
+  if (&value == &within) return "";
+  if (!within.is_structured()) return std::nullopt;
+  for (auto item = within.begin(); item != within.end(); ++item) {
+    const std::optional<std::string> rest = pathTo(value, *item);
+    if (!rest) continue;
+    const bool is_array = within.is_array();
+    const std::string step = is_array ? "[" + std::to_string(item - within.begin()) + "]" : item.key();
+    return step + (rest->empty() || rest->starts_with('[') ? "" : ".") + *rest;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-nlohmann::json parseJson(std::string_view text, const std::string& file, std::size_t most_values,
-                         std::size_t levels_above) {
-  if (text.size() > kMaxFileBytes) {
-    throw FormatError(file, message("something in it is wrong or unusual; what it is, is looked for in files of "
-                                    "up to {} MB only",
-                                    kMaxFileBytes / 1'000'000));
-  }
-  DocumentBuilder builder(most_values, levels_above);
-  if (nlohmann::json::sax_parse(text, &builder)) return builder.take();
+JsonDocument parseJson(std::string_view text, const std::string& file, std::size_t most_values) {
+  DocumentBuilder builder(most_values);
+  if (nlohmann::json::sax_parse(text, &builder)) return {builder.take(), file};
   if (builder.refusal().empty()) throwParseError(text, file, builder);
   throw FormatError(file, located(placeOf(builder.path()), builder.refusal()));
 }
@@ -238,25 +248,34 @@ std::optional<std::string> findJsonFormat(std::string_view text) {
   return format;
 }
 
-Message JsonReader::here(Message what) const { return located(*file_, located(placeOf(path_), std::move(what))); }
+std::string JsonReader::path() const { return pathTo(*value_, document_->root).value(); }
+
+std::string JsonReader::pathOf(std::string_view key) const {
+  const std::string path = this->path();
+  return path.empty() ? std::string(key) : path + "." + std::string(key);
+}
 
 void JsonReader::fail(const Message& expected) const {
-  throw FormatError(here(message("expected {}, found {}", expected, inFewWords(*value_))));
+  throw FormatError(document_->file,
+                    located(placeOf(path()), message("expected {}, found {}", expected, inFewWords(*value_))));
 }
 
-JsonReader JsonReader::at(const std::string& key) const {
+const nlohmann::json* JsonReader::member(std::string_view key) const {
   if (!value_->is_object()) fail(message("an object"));
   const auto found = value_->find(key);
-  const std::string path = path_.empty() ? key : path_ + "." + key;
-  if (found == value_->end()) throw FormatError(*file_, located(path, message("is missing")));
-  return {*found, file_, path};
+  return found == value_->end() ? nullptr : &*found;
 }
 
-std::optional<JsonReader> JsonReader::find(const std::string& key) const {
-  if (!value_->is_object()) fail(message("an object"));
-  const auto found = value_->find(key);
-  if (found == value_->end() || found->is_null()) return std::nullopt;
-  return JsonReader(*found, file_, path_.empty() ? key : path_ + "." + key);
+JsonReader JsonReader::at(std::string_view key) const {
+  const nlohmann::json* const found = member(key);
+  if (found == nullptr) throw FormatError(document_->file, located(pathOf(key), message("is missing")));
+  return {document_, found};
+}
+
+std::optional<JsonReader> JsonReader::find(std::string_view key) const {
+  const nlohmann::json* const found = member(key);
+  if (found == nullptr || found->is_null()) return std::nullopt;
+  return JsonReader(document_, found);
 }
 
 void JsonReader::requireKeys(std::initializer_list<std::string_view> known) const {
@@ -265,11 +284,10 @@ void JsonReader::requireKeys(std::initializer_list<std::string_view> known) cons
   for (const auto& [key, value] : value_->items()) {
     if (std::ranges::find(known, key) != known.end()) continue;
     const std::vector<std::string> names(known.begin(), known.end());
-    const std::string found = excerptOf(key, kMaxOfAKey);
     const std::optional<std::string> meant = spellingSuggestion(key, names);
-    throw FormatError(*file_, located(path_.empty() ? found : path_ + "." + found,
-                                      meant ? message("there is no such key; did you mean {}?", *meant)
-                                            : message("there is no such key; there are {}", names)));
+    throw FormatError(document_->file, located(pathOf(excerptOf(key, kMaxOfAKey)),
+                                               meant ? message("there is no such key; did you mean {}?", *meant)
+                                                     : message("there is no such key; there are {}", names)));
   }
 }
 
@@ -277,12 +295,8 @@ std::vector<JsonReader> JsonReader::items() const {
   if (!value_->is_array()) fail(message("an array"));
   std::vector<JsonReader> items;
   items.reserve(value_->size());
-  for (std::size_t i = 0; i < value_->size(); ++i) items.push_back(itemAt(i));
+  for (const nlohmann::json& item : *value_) items.push_back({document_, &item});
   return items;
-}
-
-JsonReader JsonReader::itemAt(std::size_t index) const {
-  return {(*value_)[index], file_, path_ + "[" + std::to_string(index) + "]"};
 }
 
 double JsonReader::number(double most) const {
@@ -331,32 +345,27 @@ std::string JsonReader::string() const {
   return value_->get<std::string>();
 }
 
-std::vector<double> JsonReader::numbers(std::size_t count, double most) const {
-  if (!value_->is_array() || value_->size() != count) fail(message("an array of {} numbers", count));
-  std::vector<double> values;
-  values.reserve(count);
-  for (const nlohmann::json& item : *value_) {
-    // A reader for each item would cost a path for each number; only a bad one needs it.
-    const double value = item.is_number() ? item.get<double>() : std::numeric_limits<double>::quiet_NaN();
-    if (!std::isfinite(value)) itemAt(values.size()).fail(message("a finite number"));
-    if (std::abs(value) > most) static_cast<void>(itemAt(values.size()).number(most));
-    values.push_back(value);
+void JsonReader::readNumbers(std::span<double> values, double most) const {
+  if (!value_->is_array() || value_->size() != values.size()) fail(message("an array of {} numbers", values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const JsonReader item(document_, &(*value_)[k]);
+    if (!item.value_->is_number()) item.fail(message("a finite number"));
+    values[k] = item.number(most);
   }
-  return values;
 }
 
-Eigen::Vector3d JsonReader::vector3(double most) const { return Eigen::Vector3d(numbers(3, most).data()); }
+Eigen::Vector3d JsonReader::vector3(double most) const { return Eigen::Vector3d(numbers<3>(most).data()); }
 
 Eigen::Matrix3d JsonReader::rotation() const {
-  const std::vector<double> v = numbers(9);
-  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(v.data());
+  const std::array<double, 9> by_rows = numbers<9>();
+  const Eigen::Matrix3d R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(by_rows.data());
   if (!isRotation(R)) fail(message("a rotation matrix (row-major, orthogonal to 1e-6, determinant +1)"));
   return R;
 }
 
 Eigen::Quaterniond JsonReader::unitQuaternion() const {
-  const std::vector<double> v = numbers(4);
-  const Eigen::Quaterniond q(v[0], v[1], v[2], v[3]);
+  const auto [w, x, y, z] = numbers<4>();
+  const Eigen::Quaterniond q(w, x, y, z);
   if (!isUnitQuaternion(q)) {
     constexpr int kDecimals = 7;  // it has to be 1 within a millionth
     fail(message("a unit quaternion (w, x, y, z); the length of this one is {}", Number{q.norm(), kDecimals}));
@@ -367,14 +376,14 @@ Eigen::Quaterniond JsonReader::unitQuaternion() const {
 void JsonReader::requireFormat(std::string_view format, std::uint32_t newest) const {
   const auto name = find("format");
   if (!name || !name->isString() || name->string() != format) {
-    throw FormatError(*file_,
+    throw FormatError(document_->file,
                       located("format", name ? message("expected \"{}\", found {}", format, inFewWords(*name->value_))
                                              : message("expected \"{}\", but there is none", format)));
   }
   const std::uint32_t version = at("version").unsignedInteger(1);
   if (version > newest) {
     throw FormatError(
-        *file_,
+        document_->file,
         located("version", message("this file has version {}, this program reads up to version {}", version, newest)));
   }
 }

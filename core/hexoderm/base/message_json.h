@@ -28,7 +28,7 @@ struct MessageField {
   Said& message;
   bool is_required = true;
 
-  void takeFromObject(const JsonReader& json) {
+  void takeFrom(const JsonReader& json) {
     if (is_required || json.find(key)) message = readMessage(json, key);
   }
   void write(JsonWriter& out) const {

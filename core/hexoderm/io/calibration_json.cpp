@@ -4,7 +4,6 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/io/calibration_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/skin/cell_model_json.h"
 
@@ -93,14 +92,14 @@ void cellFields(Json& json, Cell& cell) {
     if (!cell.cov_t_r) return std::nullopt;
     return Eigen::Vector3d(cell.cov_t_r->diagonal().segment(from, 3).cwiseMax(0).cwiseSqrt());
   };
-  const auto look_at_sigma = [](auto& in) {
+  const auto look_at_sigma = [](const JsonReader& in) {
     Eigen::Vector3d ignored;
     kNonNegativeVector.take(in, ignored);
   };
   json.object(
       requiredField("id", cell.cell), optionalField("body_part", cell.body_part),
       requiredField("placed_by", cell.placed_by, kPlacedByName), requiredField("R_o_u", cell.T_o_u.R, kRotation),
-      derivedField("q_o_u_wxyz", quaternion, [&](auto& in) { q = in.unitQuaternion(); }),
+      derivedField("q_o_u_wxyz", quaternion, [&](const JsonReader& in) { q = in.unitQuaternion(); }),
       requiredField("t_o_u_m", cell.T_o_u.t, vectorWithin(kMaxLength_m)),
       optionalField("cov_t_r", cell.cov_t_r, AsCovariance()),
       derivedField(
@@ -120,12 +119,11 @@ void cellFields(Json& json, Cell& cell) {
 /// An entry for each pose, null where a link has no residual in it.
 struct AsResiduals {
   using Residuals = std::vector<std::optional<double>>;
-  template <class In>
-  void take(In& in, Residuals& residuals_rad) const {
-    in.eachItem([&](auto& item) {
+  void take(const JsonReader& in, Residuals& residuals_rad) const {
+    for (const JsonReader& item : in.items()) {
       std::optional<double>& residual_rad = residuals_rad.emplace_back();
       if (!item.isNull()) kAngle.take(item, residual_rad.emplace());
-    });
+    }
   }
   void put(JsonWriter& out, const Residuals& residuals_rad) const {
     out.array(residuals_rad, [&](const std::optional<double>& residual_rad) {
@@ -174,17 +172,10 @@ void patchFields(Json& json, Patch& patch) {
     share = patch.gap_share->share;
     sigma = patch.gap_share->sigma;
   }
-  const auto fields = [&](auto... members) {
-    if constexpr (std::is_same_v<Json, JsonScanner>) {
-      nlohmann::json others = nlohmann::json::object();  // of newer programs
-      json.objectWith([&](std::string_view key) { json.keep(key, others); }, std::move(members)...);
-    } else {
-      json.object(std::move(members)...);
-    }
-  };
-  fields(requiredField("id", patch.id), requiredField("origin", patch.origin), optionalField("gap_s", share),
-         optionalField("gap_s_sigma", sigma, kNonNegative), requiredField("gravity", patch.gravity, Described{gravity}),
-         requiredField("cells", patch.cells, Described{cell}), requiredField("links", patch.links, Described{link}));
+  json.object(
+      requiredField("id", patch.id), requiredField("origin", patch.origin), optionalField("gap_s", share),
+      optionalField("gap_s_sigma", sigma, kNonNegative), requiredField("gravity", patch.gravity, Described{gravity}),
+      requiredField("cells", patch.cells, Described{cell}), requiredField("links", patch.links, Described{link}));
   if constexpr (kIsRead<Json>) {
     if (share) patch.gap_share = GapShareEstimate{*share, sigma.value_or(0)};
   }
@@ -257,15 +248,17 @@ std::vector<PoseSummary> posesOfGravity(const std::vector<PatchReconstruction>& 
   return poses;
 }
 
+[[noreturn]] void refusePath(const JsonReader& path) {
+  path.fail(message("cells of this patch, from its origin to this cell"));
+}
+
 /// Version 1 has the whole path from the origin to the cell instead of its predecessor.
 std::optional<CellId> predecessorOfPath(const JsonReader& json) {
   const auto path = json.find("path");
   if (!path) return std::nullopt;
   std::vector<CellId> cells;
   takeValue(*path, cells);
-  if (!cells.empty() && cells.back() != CellId(json.at("id").unsignedInteger())) {
-    path->fail(message("cells of this patch, from its origin to this cell"));
-  }
+  if (!cells.empty() && cells.back() != CellId(json.at("id").unsignedInteger())) refusePath(*path);
   return cells.size() > 1 ? std::optional(cells[cells.size() - 2]) : std::nullopt;
 }
 
@@ -305,18 +298,9 @@ std::optional<std::size_t> cellWithoutWay(const PatchReconstruction& patch) {
   return std::nullopt;
 }
 
-/// A value in a patch of a file: "patches[1].links[3].target", or the whole item.
-struct InPatch {
-  std::size_t patch;
-  const char* list = nullptr;  ///< null: of the patch itself
-  std::size_t item = 0;
-  const char* key = nullptr;
-};
-
-/// Sees to it that what views and exporters look up is there, and sorts the cells. `refuse` throws for a place, with
-/// what is expected there.
-template <class Refuse>
-void requireReferences(Reconstruction& result, const Refuse& refuse) {
+/// Sees to it that what views and exporters look up is there, and sorts the cells. `json`: the patches in the file.
+void requireReferences(const std::vector<JsonReader>& json, Reconstruction& result) {
+  const auto item = [&](std::size_t p, const char* list, std::size_t k) { return json[p].at(list).items()[k]; };
   std::set<PatchId> patch_ids;
   std::unordered_map<CellId, PatchId> patch_of;
   patch_of.reserve(result.cellCount());
@@ -328,40 +312,41 @@ void requireReferences(Reconstruction& result, const Refuse& refuse) {
   links.reserve(result.linkCount());
   for (std::size_t p = 0; p < result.patches.size(); ++p) {
     const PatchReconstruction& patch = result.patches[p];
-    if (!patch_ids.insert(patch.id).second) refuse({p, nullptr, 0, "id"}, message("each patch once"));
-    if (patch.cells.empty()) refuse({p, nullptr, 0, "cells"}, message("at least one cell"));
+    if (!patch_ids.insert(patch.id).second) json[p].failAt("id", message("each patch once"));
+    if (patch.cells.empty()) json[p].failAt("cells", message("at least one cell"));
     for (std::size_t k = 0; k < patch.cells.size(); ++k) {
       const bool is_new = patch_of.try_emplace(patch.cells[k].cell, patch.id).second;
-      if (!is_new) refuse({p, "cells", k, "id"}, message("each cell once"));
+      if (!is_new) item(p, "cells", k).failAt("id", message("each cell once"));
     }
     const auto is_here = [&](CellId cell) {
       const auto found = patch_of.find(cell);
       return found != patch_of.end() && found->second == patch.id;
     };
-    if (!is_here(patch.origin)) refuse({p, nullptr, 0, "origin"}, message("a cell of this patch"));
+    if (!is_here(patch.origin)) json[p].failAt("origin", message("a cell of this patch"));
     for (std::size_t k = 0; k < patch.links.size(); ++k) {
       const LinkEstimate& link = patch.links[k];
       const auto requirePort = [&](const char* key, PortNumber port) {
         if (result.model->findPort(port) != nullptr) return;
-        refuse({p, "links", k, key}, message("a port of cell model {}", result.model->name));
+        item(p, "links", k).failAt(key, message("a port of cell model {}", result.model->name));
       };
       requirePort("source_port", link.source.port);
       requirePort("target_port", link.target.port);
-      if (!is_here(link.source.cell)) refuse({p, "links", k, "source"}, message("a cell of this patch"));
+      if (!is_here(link.source.cell)) item(p, "links", k).failAt("source", message("a cell of this patch"));
       links.push_back({{link.source, link.target}, {p, k}});
     }
   }
   std::ranges::sort(links, {}, [](const Ends& link) { return std::pair(link.ends, link.place); });
   for (std::size_t k = 0; k < links.size(); ++k) {
     const auto [p, link] = links[k].place;
-    if (k > 0 && links[k].ends == links[k - 1].ends) refuse({p, "links", link}, message("each link once"));
+    if (k > 0 && links[k].ends == links[k - 1].ends) item(p, "links", link).fail(message("each link once"));
     if (patch_of.contains(links[k].ends.second.cell)) continue;
-    refuse({p, "links", link, "target"}, message("a cell of this calibration"));
+    item(p, "links", link).failAt("target", message("a cell of this calibration"));
   }
   for (std::size_t p = 0; p < result.patches.size(); ++p) {
     if (const auto stray = cellWithoutWay(result.patches[p])) {
-      refuse({p, "cells", *stray, "predecessor"},
-             message("a cell of this patch on a path from its origin, which has none itself"));
+      const JsonReader cell = item(p, "cells", *stray);
+      if (const auto path = cell.find("path")) refusePath(*path);
+      cell.failAt("predecessor", message("a cell of this patch on a path from its origin, which has none itself"));
     }
     std::ranges::sort(result.patches[p].cells, {}, &CellPlacement::cell);
   }
@@ -391,42 +376,11 @@ void readTail(const JsonReader& json, Reconstruction& result) {
   result.layout = computeFlatLayout(*result.model, result.patches);
 }
 
-Reconstruction scanCalibration(JsonScanner& json, const std::string& file) {
-  Reconstruction result;
-  const auto patches = [&](auto& items) {
-    items.eachItem([&](auto& item) { patchFields(item, result.patches.emplace_back()); });
-  };
-  nlohmann::json rest = nlohmann::json::object();
-  json.objectWith([&](std::string_view key) { json.keep(key, rest); }, member("patches", patches));
-  json.finish();
-  const JsonReader reader(rest, file);
-  readHead(reader, result);
-  requireReferences(result, [](const InPatch&, const Message&) { throw JsonScanner::Unusual(); });
-  readTail(reader, result);
-  for (const PatchReconstruction& patch : result.patches) {
-    for (const LinkEstimate& link : patch.links) {
-      if (link.pose_residual_rad.size() != result.poses.size()) throw JsonScanner::Unusual();
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
-std::shared_ptr<const Reconstruction> scanCalibrationJson(std::string_view text, const std::string& file) {
-  try {
-    JsonScanner json(text);
-    return std::make_shared<const Reconstruction>(scanCalibration(json, file));
-  } catch (const JsonScanner::Unusual&) {
-    return nullptr;
-  } catch (const Error&) {
-    return nullptr;  // the thorough reader says it with its place
-  }
-}
-
-std::shared_ptr<const Reconstruction> calibrationFromDocument(std::string_view text, const std::string& file) {
-  const nlohmann::json document = parseJson(text, file);
-  const JsonReader json(document, file);
+std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file) {
+  const JsonDocument document = parseJson(text, file, kMaxSkinValues);
+  const JsonReader json(document);
   Reconstruction result;
   readHead(json, result);
   const std::vector<JsonReader> patches = json.at("patches").items();
@@ -438,14 +392,7 @@ std::shared_ptr<const Reconstruction> calibrationFromDocument(std::string_view t
       if (!patch.cells[k].predecessor) patch.cells[k].predecessor = predecessorOfPath(cells[k]);
     }
   }
-  requireReferences(result, [&](const InPatch& at, const Message& expected) {
-    const JsonReader& patch = patches[at.patch];
-    const JsonReader item = at.list == nullptr ? patch : patch.at(at.list).items()[at.item];
-    if (at.key == nullptr) item.fail(expected);
-    const auto path = at.key == std::string_view("predecessor") ? item.find("path") : std::nullopt;
-    if (path) path->fail(message("cells of this patch, from its origin to this cell"));
-    item.failAt(at.key, expected);
-  });
+  requireReferences(patches, result);
   readTail(json, result);
   const std::size_t poses = result.poses.size();
   for (std::size_t p = 0; p < patches.size(); ++p) {
@@ -458,11 +405,6 @@ std::shared_ptr<const Reconstruction> calibrationFromDocument(std::string_view t
     }
   }
   return std::make_shared<const Reconstruction>(std::move(result));
-}
-
-std::shared_ptr<const Reconstruction> parseCalibrationJson(std::string_view text, const std::string& file) {
-  if (auto calibration = scanCalibrationJson(text, file)) return calibration;
-  return calibrationFromDocument(text, file);
 }
 
 std::shared_ptr<const Reconstruction> readCalibrationJson(const std::filesystem::path& path) {

@@ -26,8 +26,8 @@ std::string placementsToJson(const std::vector<PatchOnLink>& placements) {
 }
 
 std::vector<PatchOnLink> placementsFromJson(std::string_view text, const std::string& file) {
-  const nlohmann::json document = parseJson(text, file);
-  const JsonReader json(document, file);
+  const JsonDocument document = parseJson(text, file);
+  const JsonReader json(document);
   json.requireFormat(kPlacementsFormat, kPlacementsVersion);
   std::vector<PatchOnLink> placements;
   std::set<CellId> origins;

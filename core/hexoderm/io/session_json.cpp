@@ -5,7 +5,6 @@
 #include "hexoderm/base/median.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/device/plausibility.h"
-#include "hexoderm/io/session_json_read.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/session/storable.h"
 #include "hexoderm/skin/cell_model_json.h"
@@ -45,25 +44,21 @@ bool isUnknown(const Eigen::Matrix3d& cov_g2) {
   return true;
 }
 
-/// `usual`: how many samples there will be, as a rule.
-auto asSamples(std::size_t usual = 0) {
-  const auto fields = [](auto& json, auto& sample) {
-    const auto covariance = [&] {
-      return isUnknown(sample.cov_g2) ? std::nullopt : std::optional(upperTriangle(sample.cov_g2));
-    };
-    const auto take_covariance = [&](auto& in) { AsCovariance(kMaxVariance_g2).take(in, sample.cov_g2); };
-    if constexpr (!kIsRead<std::remove_cvref_t<decltype(json)>>) requireStorable(sample);
-    json.object(requiredField("cell", sample.cell),
-                requiredField("mean_g", sample.mean_g, vectorWithin(kMaxAcceleration_g)),
-                derivedField("cov_g2", covariance, take_covariance), optionalField("count", sample.count),
-                optionalField("temperature_c", sample.temperature_c));
+const Described kSamples{[](auto& json, auto& sample) {
+  const auto covariance = [&] {
+    return isUnknown(sample.cov_g2) ? std::nullopt : std::optional(upperTriangle(sample.cov_g2));
   };
-  return Described{fields, usual};
-}
+  const auto take_covariance = [&](auto& in) { AsCovariance(kMaxVariance_g2).take(in, sample.cov_g2); };
+  if constexpr (!kIsRead<std::remove_cvref_t<decltype(json)>>) requireStorable(sample);
+  json.object(requiredField("cell", sample.cell),
+              requiredField("mean_g", sample.mean_g, vectorWithin(kMaxAcceleration_g)),
+              derivedField("cov_g2", covariance, take_covariance), optionalField("count", sample.count),
+              optionalField("temperature_c", sample.temperature_c));
+}};
 
 void writePose(const SessionPose& pose, JsonWriter& json) {
   try {
-    poseFields(json, "id", *pose.capture, pose, requiredField("samples", pose.capture->samples, asSamples()));
+    poseFields(json, "id", *pose.capture, pose, requiredField("samples", pose.capture->samples, kSamples));
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(message("pose {}", pose.capture->id), error.message());
   }
@@ -84,106 +79,39 @@ void requireG(const Session& session, const std::string& file) {
   if (offence && offence->kind == ProtocolViolationKind::AccelerationUnit) throw FormatError(file, offence->reason);
 }
 
-SessionPose scanPose(JsonScanner& json, const std::string& file, std::size_t usual_samples) {
-  nlohmann::json rest = nlohmann::json::object();
-  std::vector<GravitySample> samples;
-  json.objectWith([&](std::string_view key) { json.keep(key, rest); },
-                  member("samples", [&](auto& in) { asSamples(usual_samples).take(in, samples); }));
-  return readPose(JsonReader(rest, file), "id", [&] { return std::move(samples); });
-}
-
-std::vector<SessionPose> scanPoses(JsonScanner& json, const std::string& file) {
-  std::vector<SessionPose> poses;
-  json.eachItem([&](JsonScanner& item) {
-    const std::size_t before = poses.empty() ? 0 : poses.back().capture->samples.size();
-    poses.push_back(scanPose(item, file, before));
-  });
-  return poses;
-}
-
-/// What stands in a file in front of cells and poses.
-struct SessionHead {
-  SourceDescription source;
-  CellModel model;
-};
-
-SessionHead readHead(const JsonReader& json, std::string_view text, const std::string& file) {
-  json.requireFormat(kSessionFormat, kSessionVersion);
-  SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
-  if (json.find("description")) source.text = readMessage(json, "description");
-  return {std::move(source), readModel(json.at("cell_model"))};
-}
-
-/// What stands behind them, but for the truth.
-void readTail(const JsonReader& json, const std::string& file, Session& session) {
-  requireG(session, file);
-  if (const auto muted = json.find("muted_links")) {
-    for (const JsonReader& item : muted->items()) {
-      const MutedLink link = readMutedLink(item);
-      if (session.findMutedLink(link.source, link.target) != nullptr) item.fail(message("each link once"));
-      session.setLinkMuted(link.source, link.target, true, link.why);
-    }
+void readMutedLinks(const JsonReader& json, Session& session) {
+  for (const JsonReader& item : json.items()) {
+    const MutedLink link = readMutedLink(item);
+    if (session.findMutedLink(link.source, link.target) != nullptr) item.fail(message("each link once"));
+    session.setLinkMuted(link.source, link.target, true, link.why);
   }
-  if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
-  if (const auto placements = json.find("placements")) {
-    for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
-  }
-}
-
-Session scanSession(JsonScanner& json, std::string_view text, const std::string& file) {
-  nlohmann::json rest = nlohmann::json::object();
-  NeighborList cells;
-  std::vector<SessionPose> poses;
-  std::optional<GroundTruth> truth;
-  json.objectWith([&](std::string_view key) { json.keep(key, rest); },
-                  member("cells", [&] { cells = scanNeighbors(json); }),
-                  member("poses", [&] { poses = scanPoses(json, file); }),
-                  optionalMember("truth", [&] { truth = scanTruth(json); }));
-  json.finish();
-
-  const JsonReader reader(rest, file);
-  SessionHead head = readHead(reader, text, file);
-  Session session(std::move(head.model), std::move(cells), std::move(head.source));
-  for (SessionPose& pose : poses) session.addPose(std::move(pose));
-  readTail(reader, file, session);
-  if (truth) session.setTruth(std::move(*truth));
-  return session;
 }
 
 }  // namespace
 
-std::optional<Session> scanSessionJson(std::string_view text, const std::string& file) {
-  try {
-    JsonScanner json(text);
-    return scanSession(json, text, file);
-  } catch (const JsonScanner::Unusual&) {
-    return std::nullopt;
-  } catch (const Error&) {
-    return std::nullopt;  // the thorough reader says it with its place
-  }
-}
-
-Session sessionFromDocument(std::string_view text, const std::string& file) {
-  const nlohmann::json document = parseJson(text, file);
-  const JsonReader json(document, file);
-  SessionHead head = readHead(json, text, file);
-  NeighborList neighbors = readNeighbors(json.at("cells"));
-  Session session(std::move(head.model), std::move(neighbors), std::move(head.source));
+Session parseSessionJson(std::string_view text, const std::string& file) {
+  const JsonDocument document = parseJson(text, file, kMaxSkinValues);
+  const JsonReader json(document);
+  json.requireFormat(kSessionFormat, kSessionVersion);
+  SourceDescription source{{}, std::filesystem::path(file).filename().string(), sha256Hex(text)};
+  if (json.find("description")) source.text = readMessage(json, "description");
+  CellModel model = readModel(json.at("cell_model"));
+  Session session(std::move(model), readNeighbors(json.at("cells")), std::move(source));
   for (const JsonReader& pose : json.at("poses").items()) {
     session.addPose(readPose(pose, "id", [&] {
       std::vector<GravitySample> samples;
-      pose.object(requiredField("samples", samples, asSamples()));
+      kSamples.take(pose.at("samples"), samples);
       return samples;
     }));
   }
-  readTail(json, file, session);
+  requireG(session, file);
+  if (const auto muted = json.find("muted_links")) readMutedLinks(*muted, session);
+  if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
+  if (const auto placements = json.find("placements")) {
+    for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
+  }
   if (const auto truth = json.find("truth")) session.setTruth(readTruth(*truth));
   return session;
-}
-
-Session parseSessionJson(std::string_view text, const std::string& file) {
-  if (std::optional<Session> session = scanSessionJson(text, file)) return std::move(*session);
-  return sessionFromDocument(text, file);
 }
 
 Session readSessionJson(const std::filesystem::path& path) {

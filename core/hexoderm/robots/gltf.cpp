@@ -89,7 +89,7 @@ class GltfReader {
   GltfReader(std::string_view text, std::optional<std::string_view> chunk, const std::filesystem::path& file,
              MeshBuilder& mesh)
       : json_(parseJson(text, mesh.file(), kMaxGltfValues)),
-        root_(json_, mesh.file()),
+        root_(json_),
         chunk_(chunk),
         folder_(file.parent_path()),
         mesh_(mesh) {}
@@ -158,12 +158,12 @@ class GltfReader {
     node.children = indices(json, "children", nodes);
     if (const auto mesh = json.find("mesh")) node.parts.push_back(indexIn(meshes_.size(), *mesh));
     if (const auto matrix = json.find("matrix")) {
-      const std::vector<double> m = matrix->numbers(16);
+      const std::array<double, 16> m = matrix->numbers<16>();
       node.T_parent_node.affine() = Eigen::Map<const Eigen::Matrix4d>(m.data()).topRows<3>();
     }
     if (const auto translation = json.find("translation")) node.T_parent_node.translate(translation->vector3());
     if (const auto rotation = json.find("rotation")) {
-      const std::vector<double> q = rotation->numbers(4);
+      const std::array<double, 4> q = rotation->numbers<4>();
       node.T_parent_node.rotate(Eigen::Quaterniond(q.data()).normalized());  // x, y, z, w
     }
     if (const auto scale = json.find("scale")) node.T_parent_node.scale(scale->vector3());
@@ -279,7 +279,7 @@ class GltfReader {
     }
   }
 
-  const nlohmann::json json_;
+  const JsonDocument json_;
   JsonReader root_;
   std::optional<std::string_view> chunk_;
   std::filesystem::path folder_;
@@ -299,7 +299,7 @@ void readGltf(std::string_view text, const std::filesystem::path& file, MeshBuil
 }
 
 std::vector<std::filesystem::path> gltfBuffers(std::string_view text, const std::filesystem::path& file) {
-  const nlohmann::json json = parseJson(text, file.string(), kMaxGltfValues);
+  const nlohmann::json json = parseJson(text, file.string(), kMaxGltfValues).root;
   std::vector<std::filesystem::path> files;
   if (!json.contains("buffers") || !json["buffers"].is_array()) return files;
   for (const nlohmann::json& buffer : json["buffers"]) {

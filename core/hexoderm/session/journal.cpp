@@ -136,9 +136,8 @@ void JournalState::read(const JournalEntry& entry, const std::string& file) {
 }
 
 void JournalState::apply(const JournalEntry& entry, const std::string& where) {
-  if (applyLarge(entry)) return;
-  const nlohmann::json document = parseJson(entry.detail, where);
-  const JsonReader json(document, where);
+  const JsonDocument document = parseJson(entry.detail, where, kMaxSkinValues);
+  const JsonReader json(document);
   if (!json.isObject()) json.fail(message("an object"));
   if (const std::optional<SessionEdit> edit = editIn(entry, json, where)) {
     const bool is_restored = std::holds_alternative<RestorePose>(*edit);
@@ -157,31 +156,6 @@ void JournalState::apply(const JournalEntry& entry, const std::string& where) {
     throw FormatError(where, message("kind: expected capture, remove, restore, disable, enable, joints, mute, "
                                      "unmute, robot, placement, skin, source, truth or options, found \"{}\"",
                                      entry.kind.substr(0, 40)));
-  }
-}
-
-bool JournalState::applyLarge(const JournalEntry& entry) {
-  if (entry.kind != "skin" && entry.kind != "truth") return false;
-  try {
-    JsonScanner json(entry.detail);
-    if (entry.kind == "truth") {
-      GroundTruth truth = scanTruth(json);
-      json.finish();
-      session_->setTruth(std::move(truth));
-      return true;
-    }
-    SetSkin skin;
-    const auto model = [&] {
-      skin.model = std::make_shared<const CellModel>(readCellModel(JsonReader(json.document(), "cell model")));
-    };
-    json.object(member("cell_model", model), member("cells", [&] { skin.neighbors = scanNeighbors(json); }));
-    json.finish();
-    apply(SessionEdit(std::move(skin)), entry.entry);
-    return true;
-  } catch (const JsonScanner::Unusual&) {
-    return false;
-  } catch (const FormatError&) {
-    return false;  // it will be said with its place
   }
 }
 

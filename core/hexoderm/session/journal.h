@@ -63,8 +63,6 @@ class JournalState {
   /// Gives the entry its kind, its detail and, if it is a capture, its samples.
   void sayEdit(const SessionEdit& edit, const std::string& raw_sha256, JournalEntry& entry) const;
   void apply(const JournalEntry& entry, const std::string& where);
-  /// Applies a skin or a truth that is as it usually is, without a document of it; false if it is anything else.
-  bool applyLarge(const JournalEntry& entry);
   /// Nothing for the kinds that are no edits.
   [[nodiscard]] std::optional<SessionEdit> editIn(const JournalEntry& entry, const JsonReader& json,
                                                   const std::string& where) const;

@@ -8,14 +8,10 @@
 namespace hexoderm {
 namespace {
 
-/// What a cell has, as a rule.
-constexpr std::size_t kUsualPorts = 6;
-
 const Described kReportedPorts{[](auto& json, auto& neighbor) {
-                                 json.object(requiredField("port", neighbor.port), requiredField("cell", neighbor.cell),
-                                             optionalField("cell_port", neighbor.cell_port));
-                               },
-                               kUsualPorts};
+  json.object(requiredField("port", neighbor.port), requiredField("cell", neighbor.cell),
+              optionalField("cell_port", neighbor.cell_port));
+}};
 const Described kReportedCells{[](auto& json, auto& report) {
   json.object(requiredField("id", report.id), optionalField("body_part", report.body_part),
               requiredField("ports", report.neighbors, kReportedPorts));
@@ -80,11 +76,6 @@ void placementFields(Json& json, Placement& placement) {
 }  // namespace
 
 NeighborList readNeighbors(const JsonReader& json) {
-  NeighborList neighbors;
-  kReportedCells.take(json, neighbors);
-  return neighbors;
-}
-NeighborList scanNeighbors(JsonScanner& json) {
   NeighborList neighbors;
   kReportedCells.take(json, neighbors);
   return neighbors;
@@ -212,17 +203,6 @@ GroundTruth readTruth(const JsonReader& json) {
   for (std::size_t k = 0; k < truth.cells.size(); ++k) {
     if (!known.insert(truth.cells[k].id).second) json.at("cells").items()[k].failAt("id", message("each cell once"));
   }
-  return truth;
-}
-
-GroundTruth scanTruth(JsonScanner& json) {
-  GroundTruth truth;
-  truthFields(json, truth);
-  std::vector<CellId> ids;
-  ids.reserve(truth.cells.size());
-  for (const TrueCellPlacement& cell : truth.cells) ids.push_back(cell.id);
-  std::ranges::sort(ids);
-  if (std::ranges::adjacent_find(ids) != ids.end()) throw JsonScanner::Unusual();
   return truth;
 }
 

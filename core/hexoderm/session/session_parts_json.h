@@ -20,10 +20,10 @@ namespace hexoderm {
 struct AsCovariance {
   double most;
   explicit AsCovariance(double magnitude = kNoLimit) : most(magnitude) {}
-  template <class In, class Matrix>
-  void take(In& in, Matrix& matrix) const {
+  template <class Matrix>
+  void take(const JsonReader& in, Matrix& matrix) const {
     constexpr int kSize = Matrix::RowsAtCompileTime;
-    matrix = fromUpperTriangle<kSize>(in.template numbers<std::size_t{kSize * (kSize + 1) / 2}>(most));
+    matrix = fromUpperTriangle<kSize>(in.numbers<std::size_t{kSize * (kSize + 1) / 2}>(most));
     if ((matrix.diagonal().array() < 0).any()) {
       in.fail(kSize == 3 ? message("variances (xx, yy, zz) of at least 0")
                          : message("an upper triangle with variances of at least 0 on its diagonal"));
@@ -46,7 +46,6 @@ void placeFields(Json& json, Place& place, Before... before) {
 
 /// An array of cells as reported. Reading throws FormatError with the key path.
 NeighborList readNeighbors(const JsonReader& json);
-NeighborList scanNeighbors(JsonScanner& json);
 void writeNeighbors(const NeighborList& neighbors, JsonWriter& json);
 
 /// `source`, `source_port`, `target`, `target_port` as in calibration files, and `why` where there is a reason.
@@ -90,7 +89,6 @@ SessionPose readPose(const JsonReader& json, const std::string& id_key,
                      const std::function<std::vector<GravitySample>()>& take_samples);
 
 GroundTruth readTruth(const JsonReader& json);
-GroundTruth scanTruth(JsonScanner& json);
 void writeTruth(const GroundTruth& truth, JsonWriter& json);
 
 }  // namespace hexoderm

@@ -55,7 +55,7 @@ void placedFields(Json& json, Placement& T_u, Before... before) {
     return read == T_u.R ? std::nullopt : std::optional(T_u.R);
   };
   json.strictObject(before..., defaultedField("t_u_m", T_u.t), defaultedField("q_u_wxyz", T_u.R, AsQuaternion()),
-                    derivedField(kExactRotation, exact, [&T_u](auto& in) { kRotation.take(in, T_u.R); }));
+                    derivedField(kExactRotation, exact, [&T_u](auto& in) { T_u.R = in.rotation(); }));
 }
 
 /// As models had it at first: the lot's part of offset_sigma_g.
@@ -125,8 +125,8 @@ CellModel readCellModel(const JsonReader& json) {
 }
 
 CellModel cellModelFromJson(std::string_view text, const std::string& file) {
-  const nlohmann::json json = parseJson(text, file);
-  return readCellModel(JsonReader(json, file));
+  const JsonDocument document = parseJson(text, file);
+  return readCellModel(JsonReader(document));
 }
 
 void writeCellModel(const CellModel& model, JsonWriter& json) { modelFields(json, model); }

@@ -99,31 +99,31 @@ TEST(MessageJson, ComesBackAsItWas) {
   for (const Message& said : {everyKind(), message("plain"), inRow({message("One."), message("Two {}.", 3)})}) {
     const nlohmann::json document = documentOf(said);
     EXPECT_EQ(document.at("text"), said.english());
-    EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text"), said) << document;
+    EXPECT_EQ(readMessage(JsonReader({document, "a.json"}), "text"), said) << document;
   }
 }
 
 TEST(MessageJson, HasOnlyTheTextOfAVerbatimMessage) {
   const nlohmann::json document = documentOf(Message::verbatim("a name"));
   EXPECT_EQ(document.dump(), R"({"text":"a name"})");
-  EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text"), Message::verbatim("a name"));
+  EXPECT_EQ(readMessage(JsonReader({document, "a.json"}), "text"), Message::verbatim("a name"));
 }
 
 TEST(MessageJson, SaysANumberThatJsonDoesNotHave) {
   const auto document = documentOf(message("misfit {}", Number{std::numeric_limits<double>::infinity(), 1}));
-  EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text").english(), "misfit inf");
+  EXPECT_EQ(readMessage(JsonReader({document, "a.json"}), "text").english(), "misfit inf");
 }
 
 TEST(MessageJson, TheTextCountsWhereSomebodyEditedIt) {
   nlohmann::json document = documentOf(message("cell {}", 7));
   document["text"] = "my own words";
-  EXPECT_EQ(readMessage(JsonReader(document, "a.json"), "text"), Message::verbatim("my own words"));
+  EXPECT_EQ(readMessage(JsonReader({document, "a.json"}), "text"), Message::verbatim("my own words"));
 }
 
 TEST(MessageJson, MalformedIsAFormatErrorThatNamesThePlace) {
   const auto refused = [](const std::string& whole) {
     const nlohmann::json json = nlohmann::json::parse(R"({"text": "cell 7", "text_message": )" + whole + "}");
-    return test::messageOf<FormatError>([&] { readMessage(JsonReader(json, "a.json"), "text"); });
+    return test::messageOf<FormatError>([&] { readMessage(JsonReader({json, "a.json"}), "text"); });
   };
   EXPECT_THAT(refused("5"), HasSubstr("a.json: text_message: expected an object"));
   EXPECT_THAT(refused(R"({"arguments": []})"), HasSubstr("template: is missing"));

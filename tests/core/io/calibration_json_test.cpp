@@ -6,6 +6,7 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/io/json_complaints.h"
 #include "tests/support/paths.h"
+#include "tests/support/random_session.h"
 #include "tests/support/result_builder.h"
 #include "tests/support/rich_calibration.h"
 #include "tests/support/session_matchers.h"
@@ -68,6 +69,18 @@ TEST(CalibrationJson, ComesBackAsItWas) {
     if (cell.cov_t_r) {
       EXPECT_EQ(*cell.cov_t_r, cell.cov_t_r->transpose()) << "the upper triangle is what is stated";
     }
+  }
+}
+
+TEST(CalibrationJson, OfARandomSessionIsReadAgain) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    const Session session = test::RandomSession(seed).draw();
+    const auto result = reconstruct(*session.snapshot(), test::by(seed % 2 == 0 ? Solver::Tree : Solver::Global));
+    const auto back = parseCalibrationJson(calibrationToJson(*result), "c.json");
+    EXPECT_EQ(back->cellCount(), result->cellCount());
+    EXPECT_EQ(back->linkCount(), result->linkCount());
+    EXPECT_EQ(back->findings, result->findings);
   }
 }
 

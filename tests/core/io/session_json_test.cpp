@@ -5,6 +5,7 @@
 #include "hexoderm/session/session_store.h"
 #include "tests/core/io/json_complaints.h"
 #include "tests/support/paths.h"
+#include "tests/support/random_session.h"
 #include "tests/support/session_matchers.h"
 #include "tests/support/temporary_folder.h"
 
@@ -63,6 +64,14 @@ TEST(SessionJson, KeepsEverythingThatAStoreKeepsAndBack) {
   test::expectSameSession(session, readSessionJson(path("2.session.json")));
   test::expectSameSession(session, readSessionStore(path("3.hexo")));
   EXPECT_EQ(readFile(path("2.session.json")), readFile(path("4.session.json")));
+}
+
+TEST(SessionJson, OfARandomSessionComesBackAsItWas) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(seed);
+    const Session session = test::RandomSession(seed).draw();
+    test::expectSameSession(parseSessionJson(sessionToJson(session), "s.json"), session);
+  }
 }
 
 TEST(SessionJson, ReadsLinksThatAreSetAside) {
