@@ -59,8 +59,8 @@ void placedFields(Json& json, Placement& T_u, Before... before) {
 }
 
 /// As models had it at first: the lot's part of offset_sigma_g.
-template <class In>
-void takeSharedPart(double shared_g, const In& in, Accelerometer& a) {
+void takeSharedPart(const JsonReader& in, Accelerometer& a) {
+  const double shared_g = in.nonNegativeNumber();
   if (shared_g > a.offset_sigma_g) {
     in.fail(message("shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
                     Number{a.offset_sigma_g}, Number{shared_g}));
@@ -88,7 +88,7 @@ void modelFields(Json& json, Model& model) {
                  defaultedField("cross_axis_sigma", a.cross_axis_sigma, kNonNegative),
                  derivedField(
                      "shared_offset_sigma_g", [] { return std::optional<double>(); },
-                     [&a](auto& in) { takeSharedPart(in.nonNegativeNumber(), in, a); }));
+                     [&a](auto& in) { takeSharedPart(in, a); }));
   };
   json.strictObject(requiredField("name", model.name), requiredField("side_m", model.side_m, Length(kMinCellSide_m)),
                     requiredField("thickness_m", model.thickness_m, Length()),
