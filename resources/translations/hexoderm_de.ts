@@ -4860,8 +4860,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
-        <source>accelerometer.shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}</source>
-        <translation>accelerometer.shared_offset_sigma_g ist ein Teil von offset_sigma_g, also höchstens {}; gefunden: {}</translation>
+        <source>shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}</source>
+        <translation>shared_offset_sigma_g ist ein Teil von offset_sigma_g, also höchstens {}; gefunden: {}</translation>
     </message>
     <message>
         <source>Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.</source>
