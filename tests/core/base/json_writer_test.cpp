@@ -2,6 +2,8 @@
 
 #include "tests/support/testing.h"
 
+#include <nlohmann/json.hpp>
+
 namespace hexoderm {
 namespace {
 
