@@ -9,7 +9,7 @@
 namespace hexoderm {
 namespace {
 
-using test::Captures;
+using pose_recorder_test::Captures;
 
 constexpr double k12Bits_g = 4.0 / 4096;
 constexpr double k8Bits_g = 4.0 / 256;
