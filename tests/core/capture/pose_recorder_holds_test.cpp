@@ -7,6 +7,35 @@
 namespace hexoderm::pose_recorder_test {
 namespace {
 
+/// Sets a simulated skin and feeds holds of it, joined by moves of 1 s in which every cell's reading goes straight to
+/// where it will be and is 1 g.
+template <class AfterMove, class AfterHold>
+void feedHolds(SimulatedSkin& skin, PoseRecorder& recorder, std::size_t poses, std::size_t hold_frames,
+               const AfterMove& after_move, const AfterHold& after_hold) {
+  recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
+  double time_s = 0;
+  std::vector<CellSample> last;
+  for (const Eigen::Vector3d& up : scriptedUpDirections(poses)) {
+    std::vector<SampleFrame> hold = skin.record(up, hold_frames);
+    for (int k = 1; k < 1000 && !last.empty(); ++k) {
+      SampleFrame move{time_s += 0.001};
+      for (std::size_t c = 0; c < last.size(); ++c) {
+        const Eigen::Vector3d& from = last[c].acceleration_g;
+        const Eigen::Vector3d& to = hold.front().samples[c].acceleration_g;
+        move.samples.push_back({last[c].cell, from == to ? from : (from + k * (to - from) / 1000).normalized()});
+      }
+      recorder.addFrame(move);
+    }
+    after_move();
+    for (SampleFrame& frame : hold) {
+      frame.time_s = time_s += 0.001;
+      recorder.addFrame(frame);
+    }
+    last = hold.back().samples;
+    after_hold();
+  }
+}
+
 TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnceWhateverIsBroken) {
   std::vector<std::optional<SkinFault>> faults = {std::nullopt};
   for (const SkinFault fault : {SkinFault::Dead, SkinFault::Stuck, SkinFault::StuckAxis, SkinFault::Saturated,
@@ -20,15 +49,10 @@ TEST(PoseRecorder, CapturesEveryHoldOfASimulatedSkinOnceWhateverIsBroken) {
     SimulatedSkin skin(builtInCellModel("hex-bma150"), options);
     Captures captures;
     PoseRecorder recorder(captures);
-    recorder.setSkin({Message::verbatim("simulated"), std::make_shared<CellModel>(skin.model()), skin.neighbors()});
     std::size_t held = 0;
-    for (const Eigen::Vector3d& up : scriptedUpDirections(3)) {
-      skin.turnTo(up);
-      while (skin.turning()) recorder.addFrame(skin.next());
-      EXPECT_THAT(captures.poses, SizeIs(held)) << "captured on the way";
-      for (int k = 0; k < 4500; ++k) recorder.addFrame(skin.next());
-      EXPECT_THAT(captures.poses, SizeIs(++held)) << captures.holds.back().message.english();
-    }
+    feedHolds(
+        skin, recorder, 3, 4500, [&] { EXPECT_THAT(captures.poses, SizeIs(held)) << "captured on the way"; },
+        [&] { EXPECT_THAT(captures.poses, SizeIs(++held)) << captures.holds.back().message.english(); });
     if (fault == SkinFault::NoSamples) {
       EXPECT_THAT(captures.poses.back().silent_cells, ElementsAre(CellId(1), CellId(9), CellId(14)));
     }

@@ -17,10 +17,6 @@ struct StreamOptions {
   double offset_g = 0;  ///< per axis, uniform up to this, drawn per cell
   double gain = 1;
   double tremor_g = 0;  ///< rms per axis, of three waves of 4 to 12 Hz, common to all cells
-  /// Of each cell by itself: rms of the axis that is shaken most, the others between 8/35 of it and this.
-  double vibration_g = 0;
-  double correlation_s = 0;       ///< of the vibration; 0: white
-  double frames_per_reading = 1;  ///< as a gateway repeats them, which does not know when cells are read
   unsigned seed = 1;
 };
 
@@ -31,13 +27,8 @@ class SyntheticStream {
   explicit SyntheticStream(const StreamOptions& options) : options_(options), random_(options.seed) {
     for (std::size_t k = 0; k < options.cells; ++k) {
       const Eigen::Vector3d turn = randomVector();
-      Cell cell{expSO3(turn), options.offset_g * Eigen::Vector3d::NullaryExpr([this] { return uniform(-1, 1); })};
-      if (options.vibration_g > 0) {
-        cell.rms_g = options.vibration_g * Eigen::Vector3d::NullaryExpr([this] { return uniform(8.0 / 35, 1); });
-        cell.shaken = randomVector();
-      }
-      if (repeats()) cell.next_s = now_s_ - uniform(0, 1) * every_s();
-      cells_.push_back(cell);
+      cells_.push_back(
+          {expSO3(turn), options.offset_g * Eigen::Vector3d::NullaryExpr([this] { return uniform(-1, 1); })});
     }
     for (auto& axis : waves_) {
       for (auto& [rate_rad_s, phase] : axis) {
@@ -79,20 +70,7 @@ class SyntheticStream {
   struct Cell {
     Eigen::Matrix3d R_u_b;
     Eigen::Vector3d offset_g;
-    Eigen::Vector3d rms_g = Eigen::Vector3d::Zero();
-    Eigen::Vector3d shaken = Eigen::Vector3d::Zero();  ///< of variance 1
-    Eigen::Vector3d shown_g = Eigen::Vector3d::Zero();
-    double next_s = 0;  ///< when it is read next
   };
-
-  [[nodiscard]] bool repeats() const { return options_.frames_per_reading != 1; }
-  [[nodiscard]] double every_s() const { return options_.frames_per_reading / options_.rate_hz; }
-  Eigen::Vector3d read(const Cell& cell, const Eigen::Vector3d& force) {
-    Eigen::Vector3d reading = options_.gain * (cell.R_u_b * force) + cell.offset_g;
-    reading += options_.noise_g * randomVector() + cell.rms_g.cwiseProduct(cell.shaken);
-    if (options_.lsb_g > 0) reading = options_.lsb_g * (reading / options_.lsb_g).array().round();
-    return reading;
-  }
 
   template <class Path>
   std::pair<double, double> run(double duration_s, const Path& path) {
@@ -106,15 +84,11 @@ class SyntheticStream {
         }
       }
       SampleFrame frame{now_s_};
-      const double kept = options_.correlation_s > 0 ? std::exp(-every_s() / options_.correlation_s) : 0;
       for (std::size_t k = 0; k < cells_.size(); ++k) {
-        Cell& cell = cells_[k];
-        if (!repeats() || now_s_ >= cell.next_s) {
-          if (repeats()) cell.next_s += (1 + 0.05 * uniform(-1, 1)) * every_s();
-          if (options_.vibration_g > 0) cell.shaken = kept * cell.shaken + std::sqrt(1 - kept * kept) * randomVector();
-          cell.shown_g = read(cell, force);
-        }
-        frame.samples.push_back({CellId(static_cast<std::uint32_t>(k + 1)), cell.shown_g});
+        Eigen::Vector3d reading = options_.gain * (cells_[k].R_u_b * force) + cells_[k].offset_g;
+        reading += options_.noise_g * randomVector();
+        if (options_.lsb_g > 0) reading = options_.lsb_g * (reading / options_.lsb_g).array().round();
+        frame.samples.push_back({CellId(static_cast<std::uint32_t>(k + 1)), reading});
       }
       frames.push_back(std::move(frame));
       now_s_ += (1 + options_.jitter * uniform(-1, 1)) / options_.rate_hz;
