@@ -215,7 +215,7 @@ TEST_F(WindowLiveTest, ASkinThatFallsSilentIsToldAboveTheRobotAndItsLastReadings
   ASSERT_TRUE(stillness && patch);
   // Until the robot is at work and its readings are shown.
   ASSERT_TRUE(waitUntil([&] {
-    device_.hold(0.1, Eigen::Vector3d::UnitZ());
+    device_.hold(0.02, Eigen::Vector3d::UnitZ());
     QAction* robot = action("actionRobot");
     if (robot->isEnabled() && !robot->isChecked()) robot->trigger();
     return !stillness->trace().points().empty() && patch->moment().readings &&
