@@ -16,7 +16,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr std::uint64_t kSeeds = test::kSlowBuild ? 4 : 24;
+constexpr std::uint64_t kLots = test::kSlowBuild ? 4 : 24;
 
 CellModel chips(double own_g, double shared_g, double shared_scale) {
   CellModel model = builtInCellModel("hex-bma150");
@@ -41,7 +41,7 @@ Outcome calibrate(const CellModel& real, const CellModel& believed, const std::s
   Outcome outcome;
   SolverOptions options;
   options.solver = solver;
-  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+  for (std::uint64_t seed = 1; seed <= kLots; ++seed) {
     SimulatedSkin skin(real, test::skinOptions(patch, "", seed));
     Session session = simulateSession(skin, poses);
     session.setSkin(believed, session.neighbors());
