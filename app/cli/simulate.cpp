@@ -157,14 +157,15 @@ void addSimulate(CLI::App& app, Common& common) {
   takeNumbers(command.add_option("--offset-sigma", options.offset_sigma_mg,
                                  "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
               0, kMaxOffsetSigma_mg);
-  takeNumbers(command
-                  .add_option("--lot", options.lot,
-                              "Errors that the chips of the skin's lot share, 1 sigma: of the offset, in mg, and of the "
-                              "scale, in % (default: the cell model's)")
-                  ->type_name("MG[,PERCENT]")
-                  ->expected(1, 2)
-                  ->delimiter(','),
-              0, kMaxOffsetSigma_mg);
+  takeNumbers(
+      command
+          .add_option("--lot", options.lot,
+                      "Errors that the chips of the skin's lot share, 1 sigma: of the offset, in mg, and of the "
+                      "scale, in % (default: the cell model's)")
+          ->type_name("MG[,PERCENT]")
+          ->expected(1, 2)
+          ->delimiter(','),
+      0, kMaxOffsetSigma_mg);
   CLI::Option* faults = command.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
   CLI::Option* motion =
       addWithDefault(command, "--motion", options.motion,

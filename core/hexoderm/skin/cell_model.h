@@ -33,6 +33,7 @@ struct Accelerometer {
   double cross_axis_sigma = 0.005;   ///< 1 sigma of each off-diagonal element
   SE3 T_u_a;                         ///< placement of the accelerometer in the cell frame
 
+  /// The lot has errors of its own.
   [[nodiscard]] bool sharesErrors() const { return offset_shared_sigma_g > 0 || scale_shared_sigma > 0; }
   /// The same of a chip that is looked at alone: the lot's errors count as its own.
   [[nodiscard]] Accelerometer ofUnknownLot() const;

@@ -321,11 +321,13 @@ TEST_F(PatchPointingTest, TheMetricsOfWhatIsPickedAreKeptAndLeadToTheNeighbours)
   EXPECT_NE(ten->focusPolicy() & Qt::TabFocus, 0) << "reached by the keyboard";
   ten->click();
   EXPECT_EQ(selection.cell(), CellId(10));
-  EXPECT_TRUE(ten->isHidden());
   EXPECT_TRUE(figureCard()->text().contains("<b>Cell 10</b>"));
   selection.selectLink({CellId(1), PortNumber(1)}, {CellId(2), PortNumber(4)});
   EXPECT_TRUE(figureCard()->text().contains("<b>Link 1"));
   EXPECT_NE(figureCard()->findChild<QToolButton*>("neighbor2"), nullptr);
+  const QList<QToolButton*> buttons = figureCard()->findChildren<QToolButton*>(QRegularExpression("^neighbor"));
+  EXPECT_EQ(std::ranges::count_if(buttons, [](const QToolButton* button) { return !button->isHidden(); }), 2)
+      << "those of the cell's other neighbours are hidden";
   selection.clear();
   EXPECT_FALSE(figureCard()->isVisible());
   selection.selectCell(CellId(3));

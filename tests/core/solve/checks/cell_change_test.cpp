@@ -57,6 +57,7 @@ TEST(CellChange, WhatIsSaidToBeNoticedIsNoticedNineteenTimesInTwenty) {
   constexpr double kSigma_g = 0.01;
   ViewComparison comparison;  // of a cell that sees two poses
   comparison.foretold_o_g = (Eigen::VectorXd(6) << 0, 0, 1, 1, 0, 0).finished();
+  comparison.residual_g = Eigen::VectorXd::Zero(6);
   comparison.covariance_g2 = kSigma_g * kSigma_g * Eigen::MatrixXd::Identity(6, 6);
   const double noticed_rad = *noticedTurn(comparison, kLimit).any_axis_rad;
   // The axis that these two poses show least: a turn about x + z moves each reading by no more than sqrt(1/2).
