@@ -410,10 +410,6 @@ class AttitudeSearch {
     // The forces are what all cells agree on, and the cell's own share in them hides as much of its turn.
     const double hidden = measuring_ / std::max(1.0, measuring_ - 1);
     const double least_gain = limits.of_two_angles / hidden;
-    // No turn explains more than is left to explain, which is little nearly everywhere.
-    const double unexplained =
-        misfitWith(prior_, own.readings, v_g, own.offset_g, own.gain) + weighted.dot(by_links.mean);
-    if (unexplained < least_gain) return std::nullopt;
     const AttitudePrior attitude{R_u_a.transpose() * information * R_u_a, R_u_a.transpose() * weighted};
     TurnBetweenPoses turn = findTurn(prior_, own.readings, v_g, attitude, least_gain);
     turn.gain.chi_squared *= hidden;

@@ -252,8 +252,6 @@ class Finder {
       own.information =
           R_u_a_ * (found.information + Eigen::Matrix3d::Identity() / kUnknownVariance) * R_u_a_.transpose();
       own.covariance = own.information.inverse();
-      own.offset_g = found.offset_g;
-      own.gain = found.gain;
       findForcesOn(place);
     });
     return {prior_, std::move(own_), std::move(forces_)};

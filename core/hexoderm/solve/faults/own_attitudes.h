@@ -30,8 +30,6 @@ struct OwnCell {
   Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();    ///< where it is not known, the estimate's
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of its error e in R_true = R exp(e), cell frame, rad^-2
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< the inverse of that
-  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();     ///< of its sensor, as in OwnAttitude
-  Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
   std::vector<CellReading>
       readings;  ///< their poses are indices of forces; without the lot's errors where these are known
   std::vector<Eigen::Vector3d> f_o;  ///< per reading

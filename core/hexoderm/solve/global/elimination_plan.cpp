@@ -5,16 +5,6 @@
 
 namespace hexoderm {
 
-bool EliminationPlan::fits(const GlobalProblem& problem) const {
-  if (of_link.size() != problem.links.size() || pattern->order.size() != problem.cellCount()) return false;
-  for (std::size_t k = 0; k < of_link.size(); ++k) {
-    BlockCouple ends = couples[of_link[k].couple];
-    if (of_link[k].transposed) std::swap(ends.row, ends.column);
-    if (ends.row != problem.links[k].c || ends.column != problem.links[k].n) return false;
-  }
-  return true;
-}
-
 std::span<const Matrix6d> EliminationPlan::couplesOf(std::span<const Matrix6d> links,
                                                      LargeVector<Matrix6d>& sums) const {
   if (couples.size() == links.size()) return links;

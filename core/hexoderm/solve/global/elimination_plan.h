@@ -23,8 +23,6 @@ struct EliminationPlan {
   std::vector<Place> of_link;
   std::shared_ptr<const SupernodalPattern> pattern;
 
-  /// Was made for the same cells and links.
-  [[nodiscard]] bool fits(const GlobalProblem& problem) const;
   /// The blocks per couple, which are made in `sums` where several links join the same cells.
   [[nodiscard]] std::span<const Matrix6d> couplesOf(std::span<const Matrix6d> links, LargeVector<Matrix6d>& sums) const;
 };

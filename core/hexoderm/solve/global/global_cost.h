@@ -37,7 +37,7 @@ struct GlobalProblem {
   bool accelerations = false;     ///< every pose has an angular acceleration of its own
   double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
-  /// Where it is known; one that is missing, or was made for other links, is made anew for each solution.
+  /// For these cells and links, where it is known; one that is missing is made anew for each solution.
   std::shared_ptr<const EliminationPlan> elimination;
 
   [[nodiscard]] std::size_t cellCount() const { return readings.size(); }

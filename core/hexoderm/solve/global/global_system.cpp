@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kAtOnce = 512;
 
 std::shared_ptr<const EliminationPlan> planOf(const GlobalProblem& problem) {
-  return problem.elimination && problem.elimination->fits(problem) ? problem.elimination : planElimination(problem);
+  return problem.elimination ? problem.elimination : planElimination(problem);
 }
 
 /// The covariances of all cells from their blocks of the sparse matrix's inverse.

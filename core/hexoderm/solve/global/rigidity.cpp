@@ -215,21 +215,6 @@ Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading
   return testRigidity(prior, sums);
 }
 
-double misfitWith(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                  std::span<const Eigen::Vector3d> v_g, const Eigen::Vector3d& offset_g, const Eigen::Matrix3d& gain) {
-  double squares = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    Eigen::Vector4d errors;
-    errors << offset_g[axis], gain.row(axis).transpose();
-    errors[1 + axis] -= 1;
-    squares += errors.cwiseAbs2().dot(prior.precision(axis));
-  }
-  for (std::size_t k = 0; k < readings.size(); ++k) {
-    squares += (readings[k].y_g - offset_g - gain * v_g[k]).squaredNorm() / readings[k].variance_g2;
-  }
-  return squares;
-}
-
 AccelerometerPrior pairPrior(const Accelerometer& accelerometer, const Eigen::Matrix3d& R_a_b) {
   // The neighbour's gains act in its own, turned axes: a part of its scale errors appears as cross-axis sensitivity.
   // The shares are those of a turn of 60 degrees about z, the commonest in a hexagonal skin.

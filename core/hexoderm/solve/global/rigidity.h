@@ -37,11 +37,6 @@ Misfit testRigidity(const AccelerometerPrior& prior, const ReadingSums& sums);
 Misfit testRigidity(const AccelerometerPrior& prior, std::span<const CellReading> readings,
                     std::span<const Eigen::Vector3d> v_g);
 
-/// The chi-squared of readings with given errors of the sensor, and of these errors under their priors. No less than
-/// with the most probable ones.
-double misfitWith(const AccelerometerPrior& prior, std::span<const CellReading> readings,
-                  std::span<const Eigen::Vector3d> v_g, const Eigen::Vector3d& offset_g, const Eigen::Matrix3d& gain);
-
 /// A turn of a cell between two of its poses, as far as its readings show one.
 struct TurnBetweenPoses {
   std::size_t first_after = 0;  ///< index of the first reading after the turn
