@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/window/dialogs/package_list.h"
 #include "app/window/files/session_paths.h"
+#include "app/window/session/result_files.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/toolkit/deferred_dialog.h"
 #include "app/window/toolkit/file_dialog.h"
@@ -11,6 +11,7 @@
 #include "widgets/words/words.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -35,6 +36,89 @@
 #include <vector>
 
 namespace hexoderm {
+
+inline QString toQString(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+/// The files that a package can hold, to be ticked: reports, Hexoderm's own file, and every export format. Remembers
+/// what was ticked, from one dialog to the next.
+class PackageList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit PackageList(QWidget* parent = nullptr) : QListWidget(parent) {
+    setObjectName(QStringLiteral("packageFormats"));
+    setAccessibleName(tr("Files of the package"));
+    add({kPdf, tr("Report, PDF"), tr("verdict, pictures, checks and tables, to be sent or printed")});
+    add({kHtml, tr("Report, HTML"), tr("the same for a browser, in one file")});
+    add({kOwn, tr("Calibration"), tr("everything that is known, in Hexoderm's own file")});
+    for (const ExportFormatDescription& format : exportFormats()) {
+      add({packagedName(format), packagedName(format).toUpper(), words(format.summary)});
+    }
+    setCurrentRow(0);
+  }
+
+  /// The ticked ones; path and options are left empty.
+  [[nodiscard]] PackageRequest request() const {
+    const QStringList names = ticked();
+    PackageRequest request;
+    request.report_pdf = names.contains(kPdf);
+    request.report_html = names.contains(kHtml);
+    request.calibration = names.contains(kOwn);
+    for (const ExportFormatDescription& format : exportFormats()) {
+      if (names.contains(packagedName(format))) request.formats.push_back(format.format);
+    }
+    return request;
+  }
+
+  /// For the next dialog.
+  void keepChoice() const { QSettings().setValue(kTicked, ticked()); }
+
+ private:
+  static inline const QString kTicked = QStringLiteral("export/package");
+  static inline const QString kPdf = QStringLiteral("report-pdf");
+  static inline const QString kHtml = QStringLiteral("report-html");
+  static inline const QString kOwn = QStringLiteral("calibration");
+  static QString packagedName(const ExportFormatDescription& format) { return toQString(format.name); }
+
+  struct Row {
+    QString name;  ///< in the settings
+    QString text;
+    QString what;
+  };
+  void add(const Row& row) {
+    const QStringList before =
+        QSettings().value(kTicked, QStringList{kPdf, kOwn, QStringLiteral("urdf")}).toStringList();
+    auto* item = new QListWidgetItem(row.text, this);
+    item->setData(Qt::UserRole, row.name);
+    item->setToolTip(row.what);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(before.contains(row.name) ? Qt::Checked : Qt::Unchecked);
+  }
+
+  [[nodiscard]] QStringList ticked() const {
+    QStringList names;
+    for (int k = 0; k < count(); ++k) {
+      if (item(k)->checkState() == Qt::Checked) names << item(k)->data(Qt::UserRole).toString();
+    }
+    return names;
+  }
+};
+
+/// What each file of a package holds, in which frame, and what it can't hold, as rich text.
+inline QString packageText(const std::vector<PackageEntry>& entries) {
+  QString html;
+  for (const PackageEntry& entry : entries) {
+    html += QStringLiteral("<p style=\"margin-top:0;margin-bottom:10px\"><b>%1</b><br/>%2")
+                .arg(QString::fromStdString(entry.name).toHtmlEscaped(), words(entry.what).toHtmlEscaped());
+    for (const Message* message : {&entry.frame, &entry.not_carried, &entry.left_out}) {
+      if (!message->empty()) html += QStringLiteral("<br/>") + words(*message).toHtmlEscaped();
+    }
+    html += QStringLiteral("</p>");
+  }
+  return html;
+}
 
 /// Asks for contents, place and format of an export, and of several patches for one where the format has one frame.
 /// Or, on its second tab, for the files of a package, with what each will hold. Emits the request when it is accepted;
@@ -148,9 +232,6 @@ class ExportDialog : public QDialog {
   static inline const QString kZip = QStringLiteral(".zip");
   static inline const QString kIsPackage = QStringLiteral("export/is_package");
   static inline const QString kIsZip = QStringLiteral("export/is_zip");
-  static QString toQString(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-  }
   [[nodiscard]] bool isPackage() const { return kinds_->currentIndex() == 1; }
   [[nodiscard]] QString path() const { return QDir::fromNativeSeparators(path_->text().trimmed()); }
   /// Of the one file; null: the calibration, row 0 of the list. The others follow exportFormats().

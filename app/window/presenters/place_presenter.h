@@ -224,14 +224,16 @@ class PlacePresenter : public Presenter {
   }
 
   void askForPackage() {
-    askForFolder(&window, "packageDialog", tr("The folder of a package"), lastFolder(), this,
-                 [this](const QString& path) {
-                   if (!facts_.robot) return;
-                   RobotDescription description = facts_.robot->description;
-                   description.sha256.clear();
-                   description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
-                   pickRobot(description);
-                 });
+    askForFile(
+        &window, "packageDialog", tr("The folder of a package"), lastFolder(), {}, this,
+        [this](const QString& path) {
+          if (!facts_.robot) return;
+          RobotDescription description = facts_.robot->description;
+          description.sha256.clear();
+          description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
+          pickRobot(description);
+        },
+        QFileDialog::Directory);
   }
 
   void askForJoints() {

@@ -249,11 +249,13 @@ class PreferencesDialog : public QDialog {
     connect(folder, &QLineEdit::editingFinished, this,
             [this, folder] { preferences_.setSessionFolder(QDir::fromNativeSeparators(folder->text().trimmed())); });
     connect(browse, &QPushButton::clicked, this, [this, folder] {
-      askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder->text(), this,
-                   [this, folder](const QString& path) {
-                     folder->setText(QDir::toNativeSeparators(path));
-                     preferences_.setSessionFolder(path);
-                   });
+      askForFile(
+          this, "preferenceFolderDialog", tr("Folder for sessions"), folder->text(), {}, this,
+          [this, folder](const QString& path) {
+            folder->setText(QDir::toNativeSeparators(path));
+            preferences_.setSessionFolder(path);
+          },
+          QFileDialog::Directory);
     });
   }
 
