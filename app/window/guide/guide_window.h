@@ -6,7 +6,6 @@
 #include "widgets/controls/panel_parts.h"
 
 #include <QAction>
-#include <QApplication>
 #include <QColor>
 #include <QEvent>
 #include <QFile>
@@ -26,8 +25,6 @@
 #include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
-
-class QMenuBar;
 
 // Outside of any namespace, as Qt asks for resources of static libraries.
 inline void initGuideResources() { Q_INIT_RESOURCE(guide); }
@@ -72,7 +69,6 @@ class GuideWindow : public QWidget {
   explicit GuideWindow(QWidget* parent = nullptr, const QString& first_page = {}) : QWidget(parent, Qt::Window) {
     setObjectName(QStringLiteral("guideWindow"));
     setWindowTitle(tr("User guide · Hexoderm"));
-    setNames(contents_, QStringLiteral("guideContents"), tr("Pages of the guide"));
     contents_->setFrameShape(QFrame::NoFrame);
     for (const QString& page : pages()) {
       auto* item = new QListWidgetItem(titleOf(page), contents_);
@@ -80,16 +76,12 @@ class GuideWindow : public QWidget {
       item->setToolTip(item->text());
     }
     contents_->setMinimumWidth(contents_->sizeHintForColumn(0) + 2 * contents_->fontMetrics().height());
-    setNames(browser_, QStringLiteral("guidePage"), tr("Page of the guide"));
     browser_->setOpenExternalLinks(true);
     browser_->setFrameShape(QFrame::NoFrame);
     browser_->document()->setDocumentMargin(1.6 * browser_->fontMetrics().height());
-    search_->setObjectName(QStringLiteral("guideSearch"));
     search_->setPlaceholderText(tr("Search in this page"));
     search_->setAccessibleName(search_->placeholderText());
     search_->setClearButtonEnabled(true);
-    not_found_->setObjectName(QStringLiteral("guideNotFound"));
-    not_found_->setText(tr("not found"));
     not_found_->hide();
 
     auto* back = makeButton(QStringLiteral("‹"), tr("Back to the page before"), "guideBack");
@@ -128,10 +120,9 @@ class GuideWindow : public QWidget {
     addKey(QKeySequence(Qt::Key_Escape), [this] { close(); });
 
     auto* bar = spaced(new QHBoxLayout, {8, 8, 8, 8});
-    for (QWidget* part : {static_cast<QWidget*>(back), static_cast<QWidget*>(forward)}) bar->addWidget(part);
+    addWidgets(bar, {back, forward});
     bar->addStretch(1);
-    addWidgets(bar, {not_found_, search_});
-    for (QWidget* part : {static_cast<QWidget*>(earlier), static_cast<QWidget*>(later)}) bar->addWidget(part);
+    addWidgets(bar, {not_found_, search_, earlier, later});
     search_->setMinimumWidth(14 * search_->fontMetrics().averageCharWidth() + 120);
     auto* splitter = new QSplitter;
     addWidgets(splitter, {contents_, browser_});
@@ -269,10 +260,10 @@ class GuideWindow : public QWidget {
   QString page_;
   QColor link_color_;
   QTimer dress_anew_;
-  QListWidget* contents_ = new QListWidget;
-  GuideBrowser* browser_ = new GuideBrowser;
-  QLineEdit* search_ = new QLineEdit;
-  QLabel* not_found_ = new QLabel;
+  QListWidget* contents_ = named(new QListWidget, "guideContents", tr("Pages of the guide"));
+  GuideBrowser* browser_ = named(new GuideBrowser, "guidePage", tr("Page of the guide"));
+  QLineEdit* search_ = named(new QLineEdit, "guideSearch");
+  QLabel* not_found_ = named(new QLabel(tr("not found")), "guideNotFound");
 };
 
 /// The page about what is to be done now.
@@ -283,8 +274,8 @@ inline QString guidePageFor(const SessionController& controller) {
   const Reconstruction* result = controller.reconstruction().get();
   if (!result) return QStringLiteral("check");
   if (controller.liveSession().wantsMorePoses()) return QStringLiteral("capture");
-  const bool has_faults = std::any_of(result->findings.begin(), result->findings.end(),
-                                      [](const Finding& finding) { return finding.severity != Severity::Info; });
+  const bool has_faults = std::ranges::any_of(
+      result->findings, [](Severity severity) { return severity != Severity::Info; }, &Finding::severity);
   if (has_faults) return QStringLiteral("faults");
   const bool waits_for_places = controller.session() && controller.session()->robot() && placedPatches(*result).empty();
   return waits_for_places ? QStringLiteral("place") : QStringLiteral("export");

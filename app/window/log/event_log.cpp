@@ -134,17 +134,8 @@ Handlers& handlers() {
 }
 
 Severity severityOf(QtMsgType type) {
-  switch (type) {
-    case QtDebugMsg:
-    case QtInfoMsg:
-      return Severity::Info;
-    case QtWarningMsg:
-      return Severity::Warning;
-    case QtCriticalMsg:
-    case QtFatalMsg:
-      return Severity::Error;
-  }
-  return Severity::Warning;
+  if (type == QtDebugMsg || type == QtInfoMsg) return Severity::Info;
+  return type == QtWarningMsg ? Severity::Warning : Severity::Error;
 }
 
 }  // namespace

@@ -222,9 +222,6 @@ void MainWindow::refresh() {
   refreshHistory(presenters_->parts);
 }
 
-PlacePanel* MainWindow::placePanel() { return views_->place_panel; }
-RobotView* MainWindow::robotView() { return views_->robot; }
-VerifyPanel* MainWindow::verifyPanel() { return views_->verify_panel; }
 void MainWindow::openFile(const QString& path) { presenters_->files.openFile(path); }
 void MainWindow::startDemo() { presenters_->files.startDemo(); }
 void MainWindow::connectTo(const ConnectRequest& request) { presenters_->connection.connectTo(request); }

@@ -18,14 +18,15 @@
 #include <QThread>
 
 namespace hexoderm {
+namespace {
 
-inline constexpr double kPixelsPerPoint = 96.0 / 72;
+constexpr double kPixelsPerPoint = 96.0 / 72;
 /// In the 96ths of an inch of CSS.
-inline constexpr double kPageWidth = 860;
+constexpr double kPageWidth = 860;
 /// Shapes of more bytes are slower to open than pixels.
-inline constexpr int kMaxSvgBytes = 400000;
-inline constexpr double kPictureFineness = 2;
-inline QString reportStyles() {
+constexpr int kMaxSvgBytes = 400000;
+constexpr double kPictureFineness = 2;
+QString reportStyles() {
   const Colors& colors = Colors::of(Theme::Light);
   QString css = QStringLiteral(
       "*{box-sizing:border-box}"
@@ -65,11 +66,11 @@ inline QString reportStyles() {
   return css;
 }
 
-inline QString dataUri(const char* type, const QByteArray& bytes) {
+QString dataUri(const char* type, const QByteArray& bytes) {
   return QStringLiteral("data:%1;base64,%2").arg(QLatin1String(type), QString::fromLatin1(bytes.toBase64()));
 }
 
-inline QByteArray svgOf(const ReportDrawing& drawing, const QSizeF& size) {
+QByteArray svgOf(const ReportDrawing& drawing, const QSizeF& size) {
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QSvgGenerator generator;
@@ -84,7 +85,7 @@ inline QByteArray svgOf(const ReportDrawing& drawing, const QSizeF& size) {
   return buffer.data();
 }
 
-inline QByteArray pngOf(const ReportDrawing& drawing, const QSizeF& size) {
+QByteArray pngOf(const ReportDrawing& drawing, const QSizeF& size) {
   const QImage image = reportImage((size * kPictureFineness).toSize(), [&](QPainter& painter) {
     drawing.draw(painter, QRectF(QPointF(0, 0), size * kPictureFineness), kPixelsPerPoint * kPictureFineness);
   });
@@ -94,6 +95,8 @@ inline QByteArray pngOf(const ReportDrawing& drawing, const QSizeF& size) {
   return buffer.data();
 }
 
+/// Makes the report one file for a browser, with all pictures in it and without scripts. Printed, it has its stamp and
+/// the heads of its tables on every page, too.
 class HtmlMaker {
  public:
   QString make(const ReportDocument& document) {
@@ -214,11 +217,9 @@ class HtmlMaker {
   QString html_;
 };
 
-/// The report as one file for a browser, with all pictures in it and without scripts. Printed, it has its stamp and the
-/// heads of its tables on every page, too.
-inline QString htmlOf(const ReportDocument& document) { return HtmlMaker().make(document); }
+}  // namespace
 
-QString reportHtml(const ReportContent& content) { return htmlOf(ReportPage(content).document()); }
+QString reportHtml(const ReportContent& content) { return HtmlMaker().make(ReportPage(content).document()); }
 
 QByteArray reportPdf(const ReportContent& content) {
   // Fonts and pictures of Qt ask for a thread of Qt's.

@@ -8,7 +8,7 @@
 
 namespace hexoderm {
 
-LiveMode::LiveMode(const SessionController& controller)
+LiveMode::LiveMode(SessionController& controller)
     : controller_(controller), worker_([this](ReconstructionOutcome outcome) {
         QMetaObject::invokeMethod(
             this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
@@ -47,7 +47,8 @@ void LiveMode::receive(const ReconstructionOutcome& outcome) {
     fails_ = false;
     emit momentSolved(outcome.reconstruction);
   } else if (!std::exchange(fails_, true)) {
-    emit noticed(tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(words(outcome.error)));
+    emit controller_.noticed(
+        tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(words(outcome.error)));
   }
 }
 

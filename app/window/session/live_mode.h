@@ -15,7 +15,7 @@ class LiveMode : public QObject {
 
  public:
   /// `controller` outlives this object.
-  explicit LiveMode(const SessionController& controller);
+  explicit LiveMode(SessionController& controller);
 
   [[nodiscard]] bool isOn() const { return is_on_; }
 
@@ -35,12 +35,11 @@ class LiveMode : public QObject {
   void toggled(bool on);
   /// Every moment that was solved.
   void momentSolved(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
-  void noticed(const QString& text);
 
  private:
   void receive(const ReconstructionOutcome& outcome);
 
-  const SessionController& controller_;
+  SessionController& controller_;
   bool is_on_ = false;
   bool fails_ = false;           ///< told once
   ReconstructionWorker worker_;  // last: its thread has ended before what it reports to goes

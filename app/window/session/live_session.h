@@ -91,9 +91,6 @@ class LiveSession : public QObject, private CaptureOwner {
   void letRobotTake(std::size_t poses) { startRobot(true, poses); }
 
  signals:
-  void changed();
-  void failed(const QString& message);
-  void noticed(const QString& text);
   /// A pose is in the session and is being written; it is not captured yet.
   void poseTaken(const hexoderm::CapturedPose& captured);
   /// A pose is captured: it is on disk, or the operator knows that nothing is.

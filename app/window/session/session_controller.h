@@ -262,19 +262,12 @@ class SessionController : public QObject {
   void connectParts() {
     connect(&work_, &BackgroundWork::changed, this, &SessionController::changed);
     connect(&work_, &BackgroundWork::failed, this, &SessionController::failed);
-    connect(&file_, &SessionFile::changed, this, &SessionController::changed);
-    connect(&file_, &SessionFile::failed, this, &SessionController::failed);
-    connect(&file_, &SessionFile::noticed, this, &SessionController::noticed);
     connect(&file_, &SessionFile::poseStored, &live_session_, &LiveSession::setStored);
     connect(&file_, &SessionFile::keptInMemoryOnly, &live_session_, [this] { live_session_.keepIn(KeptIn::Memory); });
     connect(&file_, &SessionFile::keptInFile, &live_session_, [this] { live_session_.keepIn(KeptIn::File); });
-    connect(&live_session_, &LiveSession::changed, this, &SessionController::changed);
-    connect(&live_session_, &LiveSession::failed, this, &SessionController::failed);
-    connect(&live_session_, &LiveSession::noticed, this, &SessionController::noticed);
     connect(&live_session_, &LiveSession::ended, &live_mode_, [this] { live_mode_.setOn(false); });
     connect(&live_session_.source(), &LiveSource::previewChanged, &live_mode_, &LiveMode::solve);
     connect(&live_mode_, &LiveMode::toggled, this, &SessionController::changed);
-    connect(&live_mode_, &LiveMode::noticed, this, &SessionController::noticed);
   }
 
   void closeCurrent() {

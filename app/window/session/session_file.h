@@ -156,9 +156,6 @@ class SessionFile : public QObject {
   void retryWriting();
 
  signals:
-  void changed();
-  void failed(const QString& message);
-  void noticed(const QString& text);
   void sessionSaved(const QString& path);
   /// The file can't be written; changes wait in memory. retryWriting() tries again.
   void journalStuck(const QString& why);
@@ -172,7 +169,6 @@ class SessionFile : public QObject {
  private:
   [[nodiscard]] bool isJournalStuck() const;
   void append(const SessionEdit& edit);
-  void beginJournal(const QString& path);
   void dropJournal();
   [[nodiscard]] SessionJournal::Told told();
   void tellStored(const std::vector<SessionPose>& poses);

@@ -98,13 +98,12 @@ class PreferencesDialog : public QDialog {
     form->addRow(label);
     return label;
   }
-  static void addWhy(QFormLayout* form, const QString& why) { addText(form, why, 8); }
 
   static void addRow(QFormLayout* form, const QString& text, QWidget* control, const QString& why) {
     control->setAccessibleName(QString(text).remove(QLatin1Char('&')));
     control->setAccessibleDescription(why);
     form->addRow(labelFor(control, text), control);
-    addWhy(form, why);
+    addText(form, why, 8);
   }
 
   /// A page scrolls where the screen is smaller than it. It has its place in the dialog before anything is put into it:
@@ -242,7 +241,7 @@ class PreferencesDialog : public QDialog {
     folder->setAccessibleName(tr("Folder for sessions"));
     folder->setAccessibleDescription(why);
     form->addRow(labelFor(folder, tr("&Folder for sessions")), field);
-    addWhy(form, why);
+    addText(form, why, 8);
     addText(form, tr("A session that was not saved anywhere is kept beside the program's own data, and offered "
                      "at the next start."));
     show_.emplace_back([this, folder] { folder->setText(QDir::toNativeSeparators(preferences_.sessionFolder())); });
@@ -284,7 +283,7 @@ class PreferencesDialog : public QDialog {
     auto* box = named(new QCheckBox(label), name);
     box->setAccessibleDescription(why);
     form->addRow(box);
-    addWhy(form, why);
+    addText(form, why, 8);
     show_.emplace_back([this, box, which] { box->setChecked(preferences_.isOn(which)); });
     connect(box, &QCheckBox::clicked, this, [this, which](bool on) { preferences_.set(which, on); });
     return box;
