@@ -3,8 +3,7 @@
 #include "app/window/files/session_paths.h"
 #include "app/window/session/result_files.h"
 #include "app/window/session/session_controller.h"
-#include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/controls/panel_parts.h"
@@ -144,7 +143,7 @@ class ExportDialog : public QDialog {
     kinds_->setDrawBase(false);
     auto* browse = named(new QPushButton(tr("Browse…"), this), "exportBrowse");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    export_ = addPrimaryButton(buttons, tr("Export"), "exportButton");
+    export_ = addPrimaryButton(this, buttons, tr("Export"), "exportButton");
     summary_->setWordWrap(true);
     note_->setWordWrap(true);
     note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
@@ -177,8 +176,6 @@ class ExportDialog : public QDialog {
     resize(780, 520);
     path_->setText(suggestion + kCalibrationExtension);
     extension_ = kCalibrationExtension;
-    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
     connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
     formats_->setCurrentRow(0);
     connectFields();

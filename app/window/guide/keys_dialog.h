@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/guide/actions.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "widgets/controls/panel_parts.h"
 
 #include <QAction>

@@ -2,7 +2,7 @@
 
 #include "app/window/presenters/presenter.h"
 #include "app/window/session/verification.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/solve/checks/evaluation.h"
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/patch/compare_view.h"

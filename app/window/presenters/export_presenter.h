@@ -8,7 +8,7 @@
 #include "app/window/report/report_title.h"
 #include "app/window/session/result_files.h"
 #include "app/window/session/verification.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/sim/simulated_session.h"
 #include "widgets/controls/selection.h"
 #include "widgets/graph/graph_view.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/window/report/report.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "widgets/controls/panel_parts.h"
 
 #include <QCryptographicHash>
@@ -104,14 +104,12 @@ class ReportTitleDialog : public QDialog {
     form->addRow(tr("&Operator"), operator_);
     form->addRow(tr("&Notes"), notes_);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    addPrimaryButton(buttons, proceed, "reportTitleButton");
+    addPrimaryButton(this, buttons, proceed, "reportTitleButton");
     auto* layout = spaced(new QVBoxLayout(this), {20, 18, 20, 16}, 12);
     addWidgets(layout, {headline, remark});
     layout->addLayout(form);
     layout->addWidget(buttons);
     resize(460, sizeHint().height());
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     robot_->setFocus();
   }
 

@@ -95,6 +95,16 @@ class HandPlace {
          rotationAngle(a.T_l_o.R.transpose() * b.T_l_o.R) < kSame_rad;
 }
 
+/// What went wrong in the step "Place on the robot", each where it is shown; empty: nothing did.
+struct PlaceFaults {
+  QString robot;
+  QString joints;
+  QString links;
+  QString places;
+  QString known;          ///< of points and distances
+  QString places_remark;  ///< no fault: what was left out of the fit
+};
+
 /// What is known of the patches on the robot while the step "Place on the robot" is worked on: what was read and found,
 /// beside what the session says was decided; and of which patch and pose the step speaks. The questions change nothing.
 struct PlaceFacts {
@@ -110,7 +120,8 @@ struct PlaceFacts {
   quint32 pose = 0;                           ///< in which the robot is drawn
   int preview = -1;                           ///< the row of the place that is pointed at
   std::optional<PutPlace> put;                ///< where a patch was put by hand; the fit begins there too
-  bool lays = false;                          ///< what the fit makes of where it was put becomes its place
+  PlaceFaults faults;
+  bool lays = false;  ///< what the fit makes of where it was put becomes its place
 
   /// The patch that the step is about; null: there is none.
   [[nodiscard]] const PatchReconstruction* patch() const { return patchOf(spoken_of); }

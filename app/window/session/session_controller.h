@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/window/session/background_work.h"
-#include "app/window/session/live_mode.h"
 #include "app/window/session/live_session.h"
 #include "app/window/session/result_files.h"
 #include "app/window/session/session_file.h"

@@ -3,7 +3,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 #include "app/window/settings/translation.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/base/units.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
