@@ -49,11 +49,11 @@ class PackageList : public QListWidget {
   explicit PackageList(QWidget* parent = nullptr) : QListWidget(parent) {
     setObjectName(QStringLiteral("packageFormats"));
     setAccessibleName(tr("Files of the package"));
-    add({kPdf, tr("Report, PDF"), tr("verdict, pictures, checks and tables, to be sent or printed")});
-    add({kHtml, tr("Report, HTML"), tr("the same for a browser, in one file")});
-    add({kOwn, tr("Calibration"), tr("everything that is known, in Hexoderm's own file")});
+    add(kPdf, tr("Report, PDF"), tr("verdict, pictures, checks and tables, to be sent or printed"));
+    add(kHtml, tr("Report, HTML"), tr("the same for a browser, in one file"));
+    add(kOwn, tr("Calibration"), tr("everything that is known, in Hexoderm's own file"));
     for (const ExportFormatDescription& format : exportFormats()) {
-      add({packagedName(format), packagedName(format).toUpper(), words(format.summary)});
+      add(packagedName(format), packagedName(format).toUpper(), words(format.summary));
     }
     setCurrentRow(0);
   }
@@ -81,19 +81,15 @@ class PackageList : public QListWidget {
   static inline const QString kOwn = QStringLiteral("calibration");
   static QString packagedName(const ExportFormatDescription& format) { return toQString(format.name); }
 
-  struct Row {
-    QString name;  ///< in the settings
-    QString text;
-    QString what;
-  };
-  void add(const Row& row) {
+  /// `name`: in the settings.
+  void add(const QString& name, const QString& text, const QString& what) {
     const QStringList before =
         QSettings().value(kTicked, QStringList{kPdf, kOwn, QStringLiteral("urdf")}).toStringList();
-    auto* item = new QListWidgetItem(row.text, this);
-    item->setData(Qt::UserRole, row.name);
-    item->setToolTip(row.what);
+    auto* item = new QListWidgetItem(text, this);
+    item->setData(Qt::UserRole, name);
+    item->setToolTip(what);
     item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-    item->setCheckState(before.contains(row.name) ? Qt::Checked : Qt::Unchecked);
+    item->setCheckState(before.contains(name) ? Qt::Checked : Qt::Unchecked);
   }
 
   [[nodiscard]] QStringList ticked() const {

@@ -57,11 +57,8 @@ class LogModel : public ColumnTable {
     text_ = text;
     shown_.clear();
     taken_ = 0;
-    for (LogLine& line : log_.linesAfter(0)) {
-      taken_ = line.number;
-      if (isWanted(line)) shown_.push_back(std::move(line));
-    }
     endResetModel();
+    takeNew();
   }
 
   [[nodiscard]] const LogLine& lineAt(int row) const { return shown_[static_cast<std::size_t>(row)]; }
@@ -78,8 +75,7 @@ class LogModel : public ColumnTable {
     std::vector<LogLine> fresh = log_.linesAfter(taken_);
     if (fresh.empty()) return;
     taken_ = fresh.back().number;
-    fresh.erase(std::remove_if(fresh.begin(), fresh.end(), [this](const LogLine& line) { return !isWanted(line); }),
-                fresh.end());
+    std::erase_if(fresh, [this](const LogLine& line) { return !isWanted(line); });
     if (fresh.empty()) return;
     const auto first = static_cast<int>(shown_.size());
     beginInsertRows({}, first, first + static_cast<int>(fresh.size()) - 1);

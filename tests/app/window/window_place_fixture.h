@@ -34,6 +34,7 @@ class WindowPlaceTest : public KeyboardTest {
   }
 
   PlacePanel& panel() { return *window_->findChild<PlacePanel*>(); }
+  RobotView* robotView() { return window_->findChild<RobotView*>(); }
   const PlaceStand& stand() { return panel().stand(); }
   bool waitForWork() {
     static constexpr std::array kWorks = {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places};
