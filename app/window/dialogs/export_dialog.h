@@ -10,7 +10,6 @@
 #include "widgets/words/words.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/window/session/session_controller.h"
-#include "app/window/settings/theme.h"
 #include "hexoderm/solve/metrics/assess.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"

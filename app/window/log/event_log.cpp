@@ -3,7 +3,6 @@
 #include "app/window/files/job_queue.h"
 #include "widgets/style/of_enum.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>

@@ -5,6 +5,7 @@
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/banner.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

@@ -42,8 +42,7 @@ class ComparePresenter : public Presenter {
 
   void open() {
     if (dialog_ == nullptr) {
-      dialog_ = new QDialog(&window, Qt::Window);
-      dialog_->setObjectName(QStringLiteral("compareDialog"));
+      dialog_ = named(new QDialog(&window, Qt::Window), "compareDialog");
       dialog_->setWindowTitle(tr("Before and after"));
       auto* layout = new QVBoxLayout(dialog_);
       layout->setContentsMargins(0, 0, 0, 0);

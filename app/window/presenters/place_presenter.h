@@ -46,9 +46,7 @@ class PlacePresenter : public Presenter {
     });
     connect(&controller, &SessionController::opened, this, [this] {
       joints_file_.clear();
-      facts_.faults.robot.clear();
-      facts_.faults.joints.clear();
-      facts_.faults.known.clear();
+      facts_.faults = {};
       facts_.pose = 0;
       facts_.spoken_of = CellId(0);
       looked_at_.reset();

@@ -55,8 +55,8 @@ class PreferencesDialog : public QDialog {
 
     auto* note = styledAs(new QLabel(tr("Changes act at once, except where it says otherwise.")), "muted");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    QPushButton* defaults = buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole);
-    defaults->setObjectName(QStringLiteral("preferencesDefaults"));
+    QPushButton* defaults =
+        named(buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole), "preferencesDefaults");
     defaults->setToolTip(tr("All preferences on all pages become as they were at the first start"));
     defaults->setAutoDefault(false);
     connect(defaults, &QPushButton::clicked, this, [this] {
