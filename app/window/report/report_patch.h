@@ -46,7 +46,7 @@ inline constexpr double kFacing = 0.3;
 inline constexpr std::size_t kCorners = 6;
 
 /// A cell as it is seen from one side, in metres on the paper.
-struct SeenCell {
+struct PrintedCell {
   std::size_t index = 0;
   std::array<QPointF, 2 * kCorners> corners;  ///< front, then back, y down
   QPointF middle;
@@ -54,10 +54,10 @@ struct SeenCell {
   double facing = 0;  ///< cosine of the angle between the face's normal and the viewer's direction
 };
 
-using SeenSide = std::vector<SeenCell>;
+using PrintedSide = std::vector<PrintedCell>;
 
-inline SeenSide seenFrom(const PatchReconstruction& patch, const CellModel& model, const Eigen::Matrix3d& R_v_o) {
-  SeenSide seen(patch.cells.size());
+inline PrintedSide seenFrom(const PatchReconstruction& patch, const CellModel& model, const Eigen::Matrix3d& R_v_o) {
+  PrintedSide seen(patch.cells.size());
   for (std::size_t k = 0; k < seen.size(); ++k) {
     const SE3& T = patch.cells[k].T_o_u;
     const auto flat = [&](const Eigen::Vector3d& x_o) {
@@ -71,13 +71,13 @@ inline SeenSide seenFrom(const PatchReconstruction& patch, const CellModel& mode
     seen[k].depth = (R_v_o * T.t).z();
     seen[k].facing = (R_v_o * T.R.col(2)).z();
   }
-  std::ranges::stable_sort(seen, {}, &SeenCell::depth);
+  std::ranges::stable_sort(seen, {}, &PrintedCell::depth);
   return seen;
 }
 
-inline QRectF boundsOf(const SeenSide& side) {
+inline QRectF boundsOf(const PrintedSide& side) {
   QRectF bounds;
-  for (const SeenCell& cell : side) {
+  for (const PrintedCell& cell : side) {
     for (const QPointF& corner : cell.corners) {
       if (bounds.isNull()) bounds = QRectF(corner, QSizeF(1e-9, 1e-9));
       bounds.setLeft(std::min(bounds.left(), corner.x()));
@@ -117,7 +117,7 @@ struct PatchPicture {
   std::size_t patch = 0;
   PatchColoring coloring;
   std::array<Eigen::Matrix3d, 4> R_v_o;
-  std::array<SeenSide, 4> sides;
+  std::array<PrintedSide, 4> sides;
   QSizeF extent;  ///< of the largest side, metres
 
   inline [[nodiscard]] const PatchReconstruction& shown() const { return reconstruction->patches[patch]; }
@@ -145,8 +145,8 @@ class SidePainter {
     painter_.drawRect(area_);
     painter_.save();
     painter_.setClipRect(area_);
-    for (const SeenCell& cell : side_) drawCell(cell);
-    for (const SeenCell& cell : side_) markCell(cell);
+    for (const PrintedCell& cell : side_) drawCell(cell);
+    for (const PrintedCell& cell : side_) markCell(cell);
     painter_.restore();
     drawScaleBar();
     drawAxes();
@@ -154,30 +154,30 @@ class SidePainter {
 
  private:
   inline [[nodiscard]] QPointF at(const QPointF& flat_m) const { return scale_ * flat_m + shift_; }
-  inline [[nodiscard]] bool isWorst(const SeenCell& cell) const {
+  inline [[nodiscard]] bool isWorst(const PrintedCell& cell) const {
     return picture_.coloring.worst && *picture_.coloring.worst == cell.index && picture_.shown().cells.size() > 1;
   }
-  inline [[nodiscard]] const CellPlacement& placement(const SeenCell& cell) const {
+  inline [[nodiscard]] const CellPlacement& placement(const PrintedCell& cell) const {
     return picture_.shown().cells[cell.index];
   }
-  inline [[nodiscard]] bool isOrigin(const SeenCell& cell) const {
+  inline [[nodiscard]] bool isOrigin(const PrintedCell& cell) const {
     return placement(cell).cell == picture_.shown().origin;
   }
 
-  inline [[nodiscard]] QColor faceColor(const SeenCell& cell) const {
+  inline [[nodiscard]] QColor faceColor(const PrintedCell& cell) const {
     const std::optional<double>& value = picture_.coloring.values[cell.index];
     if (!value) return Qt::white;
     const Distribution& scale = picture_.coloring.distribution;
     return reportScale((*value - scale.lower()) / (scale.upper() - scale.lower()));
   }
 
-  inline [[nodiscard]] QPolygonF frontOf(const SeenCell& cell) const {
+  inline [[nodiscard]] QPolygonF frontOf(const PrintedCell& cell) const {
     QPolygonF polygon;
     for (std::size_t k = 0; k < kCorners; ++k) polygon << at(cell.corners.at(k));
     return polygon;
   }
 
-  inline void drawCell(const SeenCell& cell) {
+  inline void drawCell(const PrintedCell& cell) {
     const QColor edge = colors_.text_muted;
     painter_.setPen(QPen(edge, std::clamp(apothem_ * 0.05, 0.1 * point_, 0.5 * point_), Qt::SolidLine, Qt::RoundCap,
                          Qt::RoundJoin));
@@ -222,12 +222,12 @@ class SidePainter {
     painter_.restore();
   }
 
-  inline [[nodiscard]] double idSize(const SeenCell& cell) const {
+  inline [[nodiscard]] double idSize(const PrintedCell& cell) const {
     const double letters = static_cast<double>(QString::number(placement(cell).cell.value()).size());
     return std::min({1.1 * apothem_, 2.2 * apothem_ * cell.facing / letters, kLargestId * point_});
   }
 
-  inline void drawId(const SeenCell& cell) {
+  inline void drawId(const PrintedCell& cell) {
     const double size = idSize(cell);
     if (cell.facing < kFacing || size < kSmallestId * point_) return;
     painter_.setFont(reportFont(size, true));
@@ -259,8 +259,8 @@ class SidePainter {
   }
 
   /// A nearer cell hides it.
-  inline [[nodiscard]] bool isHidden(const SeenCell& cell) const {
-    return std::ranges::any_of(side_, [&](const SeenCell& other) {
+  inline [[nodiscard]] bool isHidden(const PrintedCell& cell) const {
+    return std::ranges::any_of(side_, [&](const PrintedCell& other) {
       if (other.index == cell.index || other.depth <= cell.depth) return false;
       QPolygonF polygon;
       for (std::size_t k = 0; k < kCorners; ++k) polygon << other.corners.at(k);
@@ -269,7 +269,7 @@ class SidePainter {
   }
 
   /// The cells that the texts speak of: the worst and the origin.
-  inline void markCell(const SeenCell& cell) {
+  inline void markCell(const PrintedCell& cell) {
     if (cell.facing < kFacing || (!isWorst(cell) && !isOrigin(cell)) || isHidden(cell)) return;
     const QPolygonF face = frontOf(cell);
     painter_.setBrush(Qt::NoBrush);
@@ -333,7 +333,7 @@ class SidePainter {
   }
 
   const PatchPicture& picture_;
-  const SeenSide& side_;
+  const PrintedSide& side_;
   const Eigen::Matrix3d& R_v_o_;
   QPainter& painter_;
   QRectF area_;
