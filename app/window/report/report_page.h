@@ -216,7 +216,7 @@ class ReportPage {
       note(tr("%1 smaller patches are not drawn.").arg(countText(largest_first.size() - pictured)));
     }
   }
-  void addShape(std::size_t patch) {
+  void addShape(std::size_t index) {
     const PatchReconstruction& patch = result_.patches[index];
     if (result_.patches.size() > 1) {
       heading(patch.cells.size() == 1 ? tr("Patch %1: cell %2 alone").arg(index + 1).arg(patch.origin.value())

@@ -26,6 +26,15 @@
 
 namespace hexoderm {
 
+/// The values that the cells of a patch are coloured by, in the unit of the axis, in the order of its cells.
+struct PatchColoring {
+  QString axis;                               ///< "uncertainty of the shape (95 %), mm"
+  bool is_of_shape = false;                   ///< else relative to the origin
+  std::vector<std::optional<double>> values;  ///< absent where none is stated
+  Distribution distribution;                  ///< of those that are; its ends are those of the scale
+  std::optional<std::size_t> worst;           ///< the cell with the largest
+};
+
 struct ReportPatch {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPatch)
 };
@@ -120,12 +129,12 @@ struct PatchPicture {
   std::array<PrintedSide, 4> sides;
   QSizeF extent;  ///< of the largest side, metres
 
-  inline [[nodiscard]] const PatchReconstruction& shown() const { return reconstruction->patches[patch]; }
+  [[nodiscard]] const PatchReconstruction& shown() const { return reconstruction->patches[patch]; }
 };
 
 class SidePainter {
  public:
-  inline SidePainter(const PatchPicture& picture, std::size_t side, QPainter& painter, const QRectF& area, double point)
+  SidePainter(const PatchPicture& picture, std::size_t side, QPainter& painter, const QRectF& area, double point)
       : picture_(picture),
         side_(picture.sides.at(side)),
         R_v_o_(picture.R_v_o.at(side)),
@@ -139,7 +148,7 @@ class SidePainter {
     apothem_ = picture.reconstruction->model->side_m * std::sqrt(3.0) / 2 * scale_;
   }
 
-  inline void draw() {
+  void draw() {
     painter_.setPen(QPen(colors_.border, 0.5 * point_));
     painter_.setBrush(Qt::NoBrush);
     painter_.drawRect(area_);
@@ -153,31 +162,29 @@ class SidePainter {
   }
 
  private:
-  inline [[nodiscard]] QPointF at(const QPointF& flat_m) const { return scale_ * flat_m + shift_; }
-  inline [[nodiscard]] bool isWorst(const PrintedCell& cell) const {
+  [[nodiscard]] QPointF at(const QPointF& flat_m) const { return scale_ * flat_m + shift_; }
+  [[nodiscard]] bool isWorst(const PrintedCell& cell) const {
     return picture_.coloring.worst && *picture_.coloring.worst == cell.index && picture_.shown().cells.size() > 1;
   }
-  inline [[nodiscard]] const CellPlacement& placement(const PrintedCell& cell) const {
+  [[nodiscard]] const CellPlacement& placement(const PrintedCell& cell) const {
     return picture_.shown().cells[cell.index];
   }
-  inline [[nodiscard]] bool isOrigin(const PrintedCell& cell) const {
-    return placement(cell).cell == picture_.shown().origin;
-  }
+  [[nodiscard]] bool isOrigin(const PrintedCell& cell) const { return placement(cell).cell == picture_.shown().origin; }
 
-  inline [[nodiscard]] QColor faceColor(const PrintedCell& cell) const {
+  [[nodiscard]] QColor faceColor(const PrintedCell& cell) const {
     const std::optional<double>& value = picture_.coloring.values[cell.index];
     if (!value) return Qt::white;
     const Distribution& scale = picture_.coloring.distribution;
     return reportScale((*value - scale.lower()) / (scale.upper() - scale.lower()));
   }
 
-  inline [[nodiscard]] QPolygonF frontOf(const PrintedCell& cell) const {
+  [[nodiscard]] QPolygonF frontOf(const PrintedCell& cell) const {
     QPolygonF polygon;
     for (std::size_t k = 0; k < kCorners; ++k) polygon << at(cell.corners.at(k));
     return polygon;
   }
 
-  inline void drawCell(const PrintedCell& cell) {
+  void drawCell(const PrintedCell& cell) {
     const QColor edge = colors_.text_muted;
     painter_.setPen(QPen(edge, std::clamp(apothem_ * 0.05, 0.1 * point_, 0.5 * point_), Qt::SolidLine, Qt::RoundCap,
                          Qt::RoundJoin));
@@ -205,7 +212,7 @@ class SidePainter {
     painter_.drawPolygon(back);
   }
 
-  inline void hatch(const QPolygonF& face) {
+  void hatch(const QPolygonF& face) {
     QPainterPath clip;
     clip.addPolygon(face);
     clip.closeSubpath();
@@ -222,12 +229,12 @@ class SidePainter {
     painter_.restore();
   }
 
-  inline [[nodiscard]] double idSize(const PrintedCell& cell) const {
+  [[nodiscard]] double idSize(const PrintedCell& cell) const {
     const double letters = static_cast<double>(QString::number(placement(cell).cell.value()).size());
     return std::min({1.1 * apothem_, 2.2 * apothem_ * cell.facing / letters, kLargestId * point_});
   }
 
-  inline void drawId(const PrintedCell& cell) {
+  void drawId(const PrintedCell& cell) {
     const double size = idSize(cell);
     if (cell.facing < kFacing || size < kSmallestId * point_) return;
     painter_.setFont(reportFont(size, true));
@@ -242,7 +249,7 @@ class SidePainter {
     }
   }
 
-  inline void labelOnWhite(const QPointF& middle, const QString& text, double size) {
+  void labelOnWhite(const QPointF& middle, const QString& text, double size) {
     const QFont font = reportFont(size, true);
     const QFontMetricsF metrics(font);
     QRectF box(0, 0, metrics.horizontalAdvance(text) + 0.5 * size, 1.2 * size);
@@ -259,7 +266,7 @@ class SidePainter {
   }
 
   /// A nearer cell hides it.
-  inline [[nodiscard]] bool isHidden(const PrintedCell& cell) const {
+  [[nodiscard]] bool isHidden(const PrintedCell& cell) const {
     return std::ranges::any_of(side_, [&](const PrintedCell& other) {
       if (other.index == cell.index || other.depth <= cell.depth) return false;
       QPolygonF polygon;
@@ -269,7 +276,7 @@ class SidePainter {
   }
 
   /// The cells that the texts speak of: the worst and the origin.
-  inline void markCell(const PrintedCell& cell) {
+  void markCell(const PrintedCell& cell) {
     if (cell.facing < kFacing || (!isWorst(cell) && !isOrigin(cell)) || isHidden(cell)) return;
     const QPolygonF face = frontOf(cell);
     painter_.setBrush(Qt::NoBrush);
@@ -290,7 +297,7 @@ class SidePainter {
     labelOnWhite(at(cell.middle) - QPointF(0, apothem_ + 5 * point_), id, 6.5 * point_);
   }
 
-  inline void drawScaleBar() {
+  void drawScaleBar() {
     const double length = barLength(0.3 * area_.width() / scale_);
     const QPointF left(area_.left() + kPadding * point_, area_.bottom() - kPadding * point_);
     const QPointF right = left + QPointF(length * scale_, 0);
@@ -306,7 +313,7 @@ class SidePainter {
                       ReportPatch::tr("%1 mm").arg(QLocale().toString(toMillimetres(length), 'f', 0)));
   }
 
-  inline void drawAxes() {
+  void drawAxes() {
     const double length = 11 * point_;
     const QPointF origin = area_.bottomRight() - QPointF(22 * point_, 21 * point_);
     painter_.setFont(reportFont(6.5 * point_));
@@ -357,15 +364,6 @@ inline void drawSide(const PatchPicture& picture, std::size_t side, QPainter& pa
                       SidePainter(picture, side, on_image, QRectF(QPointF(0, 0), size), point * fineness).draw();
                     }));
 }
-
-/// The values that the cells of a patch are coloured by, in the unit of the axis, in the order of its cells.
-struct PatchColoring {
-  QString axis;                               ///< "uncertainty of the shape (95 %), mm"
-  bool is_of_shape = false;                   ///< else relative to the origin
-  std::vector<std::optional<double>> values;  ///< absent where none is stated
-  Distribution distribution;                  ///< of those that are; its ends are those of the scale
-  std::optional<std::size_t> worst;           ///< the cell with the largest
-};
 
 /// By the uncertainty of the shape, or where none is stated by that of the position relative to the origin.
 inline PatchColoring patchColoring(const PatchReconstruction& patch) {
