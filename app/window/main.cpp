@@ -161,26 +161,16 @@ std::optional<int> answerWithoutDisplay(int argc, char** argv) {
 }
 
 /// Qt aborts where there is no display, after some lines of its own. This ends the program in order, with one line.
-class NoDisplayIsNoAbort {
- public:
-  NoDisplayIsNoAbort() : before_(qInstallMessageHandler(take)) {}
-  ~NoDisplayIsNoAbort() { qInstallMessageHandler(before_); }
-  NoDisplayIsNoAbort(const NoDisplayIsNoAbort&) = delete;
-  NoDisplayIsNoAbort& operator=(const NoDisplayIsNoAbort&) = delete;
-
- private:
-  static void take(QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
+std::unique_ptr<QApplication> connectToDisplay(int& argc, char** argv) {
+  const auto take = [](QtMsgType type, const QMessageLogContext& /*context*/, const QString& /*text*/) {
     if (type != QtFatalMsg) return;
     std::fprintf(stderr, "hexoderm: %s\n", noDisplayLine().constData());
     std::_Exit(kNoDisplay);
-  }
-
-  QtMessageHandler before_;
-};
-
-std::unique_ptr<QApplication> connectToDisplay(int& argc, char** argv) {
-  const NoDisplayIsNoAbort guard;
-  return std::make_unique<QApplication>(argc, argv);
+  };
+  const QtMessageHandler before = qInstallMessageHandler(take);
+  auto app = std::make_unique<QApplication>(argc, argv);
+  qInstallMessageHandler(before);
+  return app;
 }
 
 }  // namespace

@@ -2,8 +2,7 @@
 
 #include "app/window/files/session_paths.h"
 #include "app/window/session/session_controller.h"
-#include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "widgets/controls/panel_parts.h"
@@ -11,7 +10,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QDir>
@@ -55,7 +53,7 @@ class ConnectDialog : public QDialog {
     note_->setMinimumHeight(3 * fontMetrics().lineSpacing());
     note_->setTextFormat(Qt::PlainText);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    connect_ = addPrimaryButton(buttons, tr("Connect"), "connectButton");
+    connect_ = addPrimaryButton(this, buttons, tr("Connect"), "connectButton");
 
     auto* layout = spaced(new QGridLayout(this), {20, 18, 20, 16});
     layout->setHorizontalSpacing(14);
@@ -85,8 +83,6 @@ class ConnectDialog : public QDialog {
     connect(continue_, &QCheckBox::toggled, this, &ConnectDialog::check);
     connect(path_, &QLineEdit::textChanged, this, &ConnectDialog::check);
     connect(browse_path_, &QPushButton::clicked, this, &ConnectDialog::choosePath);
-    connect(buttons, &QDialogButtonBox::accepted, this, &ConnectDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &ConnectDialog::reject);
     const int last = QSettings().value(kKindSetting, 0).toInt();
     kind_->setCurrentIndex(last >= 0 && last < kind_->count() ? last : 0);
     chooseKind();

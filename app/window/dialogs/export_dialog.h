@@ -1,10 +1,9 @@
 #pragma once
 
-#include "app/window/dialogs/package_list.h"
 #include "app/window/files/session_paths.h"
+#include "app/window/session/result_files.h"
 #include "app/window/session/session_controller.h"
-#include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/controls/panel_parts.h"
@@ -36,6 +35,85 @@
 
 namespace hexoderm {
 
+inline QString toQString(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+/// The files that a package can hold, to be ticked: reports, Hexoderm's own file, and every export format. Remembers
+/// what was ticked, from one dialog to the next.
+class PackageList : public QListWidget {
+  Q_OBJECT
+
+ public:
+  explicit PackageList(QWidget* parent = nullptr) : QListWidget(parent) {
+    setObjectName(QStringLiteral("packageFormats"));
+    setAccessibleName(tr("Files of the package"));
+    add(kPdf, tr("Report, PDF"), tr("verdict, pictures, checks and tables, to be sent or printed"));
+    add(kHtml, tr("Report, HTML"), tr("the same for a browser, in one file"));
+    add(kOwn, tr("Calibration"), tr("everything that is known, in Hexoderm's own file"));
+    for (const ExportFormatDescription& format : exportFormats()) {
+      add(packagedName(format), packagedName(format).toUpper(), words(format.summary));
+    }
+    setCurrentRow(0);
+  }
+
+  /// The ticked ones; path and options are left empty.
+  [[nodiscard]] PackageRequest request() const {
+    const QStringList names = ticked();
+    PackageRequest request;
+    request.report_pdf = names.contains(kPdf);
+    request.report_html = names.contains(kHtml);
+    request.calibration = names.contains(kOwn);
+    for (const ExportFormatDescription& format : exportFormats()) {
+      if (names.contains(packagedName(format))) request.formats.push_back(format.format);
+    }
+    return request;
+  }
+
+  /// For the next dialog.
+  void keepChoice() const { QSettings().setValue(kTicked, ticked()); }
+
+ private:
+  static inline const QString kTicked = QStringLiteral("export/package");
+  static inline const QString kPdf = QStringLiteral("report-pdf");
+  static inline const QString kHtml = QStringLiteral("report-html");
+  static inline const QString kOwn = QStringLiteral("calibration");
+  static QString packagedName(const ExportFormatDescription& format) { return toQString(format.name); }
+
+  /// `name`: in the settings.
+  void add(const QString& name, const QString& text, const QString& what) {
+    const QStringList before =
+        QSettings().value(kTicked, QStringList{kPdf, kOwn, QStringLiteral("urdf")}).toStringList();
+    auto* item = new QListWidgetItem(text, this);
+    item->setData(Qt::UserRole, name);
+    item->setToolTip(what);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+    item->setCheckState(before.contains(name) ? Qt::Checked : Qt::Unchecked);
+  }
+
+  [[nodiscard]] QStringList ticked() const {
+    QStringList names;
+    for (int k = 0; k < count(); ++k) {
+      if (item(k)->checkState() == Qt::Checked) names << item(k)->data(Qt::UserRole).toString();
+    }
+    return names;
+  }
+};
+
+/// What each file of a package holds, in which frame, and what it can't hold, as rich text.
+inline QString packageText(const std::vector<PackageEntry>& entries) {
+  QString html;
+  for (const PackageEntry& entry : entries) {
+    html += QStringLiteral("<p style=\"margin-top:0;margin-bottom:10px\"><b>%1</b><br/>%2")
+                .arg(QString::fromStdString(entry.name).toHtmlEscaped(), words(entry.what).toHtmlEscaped());
+    for (const Message* message : {&entry.frame, &entry.not_carried, &entry.left_out}) {
+      if (!message->empty()) html += QStringLiteral("<br/>") + words(*message).toHtmlEscaped();
+    }
+    html += QStringLiteral("</p>");
+  }
+  return html;
+}
+
 /// Asks for contents, place and format of an export, and of several patches for one where the format has one frame.
 /// Or, on its second tab, for the files of a package, with what each will hold. Emits the request when it is accepted;
 /// the receiver writes. Remembers the tab and the choice of a package.
@@ -60,7 +138,7 @@ class ExportDialog : public QDialog {
     kinds_->setDrawBase(false);
     auto* browse = named(new QPushButton(tr("Browse…"), this), "exportBrowse");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    export_ = addPrimaryButton(buttons, tr("Export"), "exportButton");
+    export_ = addPrimaryButton(this, buttons, tr("Export"), "exportButton");
     summary_->setWordWrap(true);
     note_->setWordWrap(true);
     note_->setMinimumHeight(2 * fontMetrics().lineSpacing());
@@ -93,8 +171,6 @@ class ExportDialog : public QDialog {
     resize(780, 520);
     path_->setText(suggestion + kCalibrationExtension);
     extension_ = kCalibrationExtension;
-    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &ExportDialog::reject);
     connect(browse, &QPushButton::clicked, this, &ExportDialog::choosePath);
     formats_->setCurrentRow(0);
     connectFields();
@@ -148,9 +224,6 @@ class ExportDialog : public QDialog {
   static inline const QString kZip = QStringLiteral(".zip");
   static inline const QString kIsPackage = QStringLiteral("export/is_package");
   static inline const QString kIsZip = QStringLiteral("export/is_zip");
-  static QString toQString(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-  }
   [[nodiscard]] bool isPackage() const { return kinds_->currentIndex() == 1; }
   [[nodiscard]] QString path() const { return QDir::fromNativeSeparators(path_->text().trimmed()); }
   /// Of the one file; null: the calibration, row 0 of the list. The others follow exportFormats().

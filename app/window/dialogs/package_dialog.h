@@ -38,10 +38,8 @@ class PackageDialog : public QDialog {
     list_->setUniformRowHeights(true);
     list_->header()->setStretchLastSection(true);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    cancel_ = buttons->button(QDialogButtonBox::Cancel);
-    cancel_->setObjectName(QStringLiteral("packageCancel"));
-    open_ = buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole);
-    open_->setObjectName(QStringLiteral("packageOpen"));
+    cancel_ = named(buttons->button(QDialogButtonBox::Cancel), "packageCancel");
+    open_ = named(buttons->addButton(tr("Open folder"), QDialogButtonBox::ActionRole), "packageOpen");
     open_->hide();
     auto* layout = spaced(new QVBoxLayout(this), {20, 18, 20, 16}, 12);
     addWidgets(layout, {sentence_, progress_});

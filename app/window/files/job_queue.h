@@ -2,11 +2,12 @@
 
 #include "hexoderm/base/thread_priority.h"
 
-#include <condition_variable>
-#include <deque>
+#include <QCoreApplication>
+#include <QMetaObject>
+#include <QPointer>
+#include <QThreadPool>
+#include <atomic>
 #include <functional>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 namespace hexoderm {
@@ -18,44 +19,37 @@ class JobQueue {
   using Job = std::function<void()>;
 
   /// `is_urgent`: its jobs do not give way to computations.
-  explicit JobQueue(bool is_urgent = false)
-      : is_urgent_(is_urgent), thread_([this](const std::stop_token& stop) { run(stop); }) {}
-  void add(Job job) { push({std::move(job), false}); }
-  void addEssential(Job job) { push({std::move(job), true}); }
+  explicit JobQueue(bool is_urgent = false) {
+    pool_.setMaxThreadCount(1);
+    pool_.setExpiryTimeout(-1);
+    if (!is_urgent) pool_.start(giveWayToOtherThreads);
+  }
+  ~JobQueue() { is_ending_ = true; }
+  JobQueue(const JobQueue&) = delete;
+  JobQueue& operator=(const JobQueue&) = delete;
+
+  void add(Job job) {
+    addEssential([this, job = std::move(job)] {
+      if (!is_ending_) job();
+    });
+  }
+  void addEssential(Job job) { pool_.start(std::move(job)); }
+  /// What `work` returns is called with the object on the application's thread, if the object is still there.
+  template <class Object, class Work>
+  void addFor(Object* object, Work work) {
+    add([self = QPointer<Object>(object), work = std::move(work)] {
+      QMetaObject::invokeMethod(
+          QCoreApplication::instance(),
+          [self, then = work()] {
+            if (self) then(*self);
+          },
+          Qt::QueuedConnection);
+    });
+  }
 
  private:
-  struct Queued {
-    Job job;
-    bool is_essential = false;
-  };
-  void push(Queued queued) {
-    {
-      const std::lock_guard lock(mutex_);
-      jobs_.push_back(std::move(queued));
-    }
-    arrived_.notify_one();
-  }
-
-  void run(const std::stop_token& stop) {
-    if (!is_urgent_) giveWayToOtherThreads();
-    for (;;) {
-      Queued next;
-      {
-        std::unique_lock lock(mutex_);
-        arrived_.wait(lock, stop, [this] { return !jobs_.empty(); });
-        if (jobs_.empty()) return;
-        next = std::move(jobs_.front());
-        jobs_.pop_front();
-      }
-      if (!stop.stop_requested() || next.is_essential) next.job();
-    }
-  }
-
-  const bool is_urgent_;
-  std::mutex mutex_;
-  std::condition_variable_any arrived_;
-  std::deque<Queued> jobs_;
-  std::jthread thread_;  // last: joined before what it uses goes
+  std::atomic<bool> is_ending_ = false;
+  QThreadPool pool_;  // last: its thread has ended before what it uses goes
 };
 
 }  // namespace hexoderm

@@ -5,7 +5,6 @@
 #include "widgets/controls/panel_parts.h"
 #include "widgets/words/formatting.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
@@ -15,19 +14,17 @@
 #include <QList>
 #include <QLocale>
 #include <QMenu>
-#include <QMetaObject>
 #include <QObject>
-#include <QPointer>
 #include <QSettings>
 #include <QString>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <QVariant>
 #include <QWidget>
 #include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -84,8 +81,7 @@ class RecentFiles : public QObject {
     file.title = QFileInfo(path).fileName();
     file.at_ms = QDateTime::currentMSecsSinceEpoch();
     file.poses = poses;
-    const auto known =
-        std::find_if(files_.begin(), files_.end(), [&](const RecentFile& other) { return other.path == file.path; });
+    const auto known = std::ranges::find(files_, file.path, &RecentFile::path);
     if (known != files_.end()) {
       if (poses < 0) file.poses = known->poses;
       files_.erase(known);
@@ -96,10 +92,7 @@ class RecentFiles : public QObject {
   }
 
   void remove(const QString& path) {
-    const auto gone = std::remove_if(files_.begin(), files_.end(), [&](const RecentFile& f) { return f.path == path; });
-    if (gone == files_.end()) return;
-    files_.erase(gone, files_.end());
-    changeFiles();
+    if (std::erase_if(files_, [&](const RecentFile& file) { return file.path == path; }) > 0) changeFiles();
   }
 
   void clear() {
@@ -111,24 +104,17 @@ class RecentFiles : public QObject {
   void check() {
     std::vector<QString> paths;
     for (const RecentFile& file : files_) paths.push_back(file.path);
-    jobs_.add([self = QPointer<RecentFiles>(this), paths = std::move(paths)] {
-      std::vector<QString> problems;
-      for (const QString& path : paths) problems.push_back(problemWith(path));
-      QMetaObject::invokeMethod(
-          QCoreApplication::instance(),
-          [self, paths, problems] {
-            if (!self) return;
-            bool news = false;
-            for (RecentFile& file : self->files_) {
-              const auto at = std::find(paths.begin(), paths.end(), file.path);
-              if (at == paths.end()) continue;
-              const QString& problem = problems[static_cast<std::size_t>(at - paths.begin())];
-              news = news || file.problem != problem;
-              file.problem = problem;
-            }
-            if (news) emit self->changed();
-          },
-          Qt::QueuedConnection);
+    jobs_.addFor(this, [paths = std::move(paths)] {
+      std::map<QString, QString> problems;
+      for (const QString& path : paths) problems[path] = problemWith(path);
+      return [problems = std::move(problems)](RecentFiles& self) {
+        bool news = false;
+        for (RecentFile& file : self.files_) {
+          const auto found = problems.find(file.path);
+          if (found != problems.end() && std::exchange(file.problem, found->second) != found->second) news = true;
+        }
+        if (news) emit self.changed();
+      };
     });
   }
 

@@ -10,24 +10,20 @@
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMetaObject>
 #include <QObject>
-#include <QPointer>
 #include <QPushButton>
 #include <QString>
 #include <QVBoxLayout>
-#include <QVariant>
 #include <QWidget>
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -70,8 +66,7 @@ inline std::vector<UnsavedSession> findUnsavedSessions(const QString& folder) {
     }
     found.push_back(std::move(unsaved));
   }
-  std::sort(found.begin(), found.end(),
-            [](const UnsavedSession& a, const UnsavedSession& b) { return a.edited_at_ms > b.edited_at_ms; });
+  std::ranges::sort(found, std::ranges::greater(), &UnsavedSession::edited_at_ms);
   return found;
 }
 
@@ -124,18 +119,13 @@ class UnsavedSessions : public QObject {
 
   /// Looks what there is; changed() and found() follow.
   void search() {
-    jobs_.add([self = QPointer<UnsavedSessions>(this), folder = folder_] {
+    jobs_.addFor(this, [folder = folder_] {
       removeOldDiscarded(folder);
-      auto sessions = std::make_shared<std::vector<UnsavedSession>>(findUnsavedSessions(folder));
-      QMetaObject::invokeMethod(
-          QCoreApplication::instance(),
-          [self, sessions] {
-            if (!self) return;
-            self->sessions_ = std::move(*sessions);
-            emit self->changed();
-            emit self->found(static_cast<int>(self->sessions_.size()));
-          },
-          Qt::QueuedConnection);
+      return [sessions = findUnsavedSessions(folder)](UnsavedSessions& self) {
+        self.sessions_ = sessions;
+        emit self.changed();
+        emit self.found(static_cast<int>(self.sessions_.size()));
+      };
     });
   }
 
@@ -148,18 +138,14 @@ class UnsavedSessions : public QObject {
 
   /// recoverWanted() asks for it to be opened; until it is, it stays in the list.
   void recover(const QString& path) {
-    const bool is_known = std::any_of(sessions_.begin(), sessions_.end(),
-                                      [&](const UnsavedSession& session) { return session.path == path; });
+    const bool is_known = std::ranges::find(sessions_, path, &UnsavedSession::path) != sessions_.end();
     if (is_known) emit recoverWanted(QString(path));  // which may be of a session that goes meanwhile
   }
 
   /// It goes from the list, if it is there.
   void noteOpened(const QString& path) {
-    const auto gone = std::remove_if(sessions_.begin(), sessions_.end(),
-                                     [&](const UnsavedSession& session) { return session.path == path; });
-    if (gone == sessions_.end()) return;
-    sessions_.erase(gone, sessions_.end());
-    emit changed();
+    const auto isIt = [&](const UnsavedSession& session) { return session.path == path; };
+    if (std::erase_if(sessions_, isIt) > 0) emit changed();
   }
 
   /// Puts it away for a week; takeBack() until then.
@@ -175,7 +161,7 @@ class UnsavedSessions : public QObject {
  private:
   /// Changes where the session's file is, on the thread of the jobs.
   void move(const QString& path, QString (*how)(const QString&)) {
-    jobs_.add([self = QPointer<UnsavedSessions>(this), path, how] {
+    jobs_.addFor(this, [path, how] {
       QString now;
       QString problem;
       try {
@@ -183,20 +169,16 @@ class UnsavedSessions : public QObject {
       } catch (const Error& error) {
         problem = words(error);
       }
-      QMetaObject::invokeMethod(
-          QCoreApplication::instance(),
-          [self, path, now, problem] {
-            if (!self) return;
-            if (!problem.isEmpty()) {
-              emit self->failed(problem);
-              return;
-            }
-            for (UnsavedSession& session : self->sessions_) {
-              if (session.path == path) session.path = now;
-            }
-            emit self->changed();
-          },
-          Qt::QueuedConnection);
+      return [path, now, problem](UnsavedSessions& self) {
+        if (!problem.isEmpty()) {
+          emit self.failed(problem);
+          return;
+        }
+        for (UnsavedSession& session : self.sessions_) {
+          if (session.path == path) session.path = now;
+        }
+        emit self.changed();
+      };
     });
   }
 
@@ -283,6 +265,29 @@ class RecoveryList : public QWidget {
 
   UnsavedSessions& sessions_;
   QVBoxLayout* layout_ = new QVBoxLayout(this);
+};
+
+/// The sessions of earlier times, for the step Connect: those that were not saved, and the newest of the recent files.
+class RecentSessions : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Both outlive the panel.
+  RecentSessions(RecentFiles& recent, UnsavedSessions& unsaved, QWidget* parent = nullptr) : QWidget(parent) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 8, 0, 0);
+    layout->addWidget(new RecoveryList(unsaved));
+    auto* title = styledAs(new QLabel(tr("Recent").toUpper()), "caption");
+    layout->addWidget(title);
+    constexpr std::size_t kShown = 3;
+    constexpr int kTitleCharacters = 22;
+    auto* list = new RecentList(recent, kShown, kTitleCharacters);
+    connect(list, &RecentList::openWanted, this, &RecentSessions::openWanted);
+    layout->addWidget(list);
+  }
+
+ signals:
+  void openWanted(const QString& path);
 };
 
 }  // namespace hexoderm

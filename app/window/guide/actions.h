@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/window/session/session_controller.h"
-#include "app/window/settings/theme.h"
 #include "hexoderm/solve/metrics/assess.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
@@ -53,7 +52,7 @@ class WindowActions {
     constexpr int kSteps = 7;
     for (int number = 1; number <= kSteps; ++number) {
       go_to_step.push_back(make(qPrintable(QStringLiteral("actionStep%1").arg(number)), tr("Step &%1").arg(number),
-                                tr("Open this step"), {QKeySequence(QStringLiteral("Ctrl+%1").arg(number))}));
+                                tr("Open this step"), QStringLiteral("Ctrl+%1").arg(number)));
     }
 
     theme = {make("actionThemeSystem", tr("Like the &system"), tr("Light or dark, as the system asks for")),
@@ -66,70 +65,63 @@ class WindowActions {
   }
 
   QAction* demo = make("actionDemo", tr("Start the &demo skin"), tr("A simulated skin to try everything with"),
-                       {QKeySequence(QStringLiteral("Ctrl+D"))});
+                       QStringLiteral("Ctrl+D"));
   QAction* robot_demo = make("actionRobotDemo", tr("Start the demo a&rm"),
                              tr("A forearm with two patches and an elbow: a session to place on its robot"));
   QAction* connect_skin =
       make("actionConnect", tr("&Connect to a skin…"), tr("Take poses of a skin that is connected, or of a recording"),
-           {QKeySequence(QStringLiteral("Ctrl+K"))});
+           QStringLiteral("Ctrl+K"));
   QAction* disconnect_skin =
       make("actionDisconnect", tr("D&isconnect"), tr("End the connection to the skin; what was captured stays"));
-  QAction* open = make("actionOpen", tr("&Open…"), tr("Open a session or a calibration"), {QKeySequence::Open});
-  QAction* save = make("actionSave", tr("&Save session"), tr("Save the poses taken so far"), {QKeySequence::Save});
+  QAction* open = make("actionOpen", tr("&Open…"), tr("Open a session or a calibration"), QKeySequence::Open);
+  QAction* save = make("actionSave", tr("&Save session"), tr("Save the poses taken so far"), QKeySequence::Save);
   QAction* save_as = make("actionSaveAs", tr("Save session &as…"), tr("Save the session under another name"),
-                          {QKeySequence(QStringLiteral("Ctrl+Shift+S"))});
+                          QStringLiteral("Ctrl+Shift+S"));
   QAction* save_calibration = make("actionSaveCalibration", tr("Save &calibration…"),
                                    tr("Save the reconstruction, complete enough to export and draw from it alone"));
   QAction* export_to = make("actionExport", tr("&Export…"), tr("Write the calibration in a form that others read"),
-                            {QKeySequence(QStringLiteral("Ctrl+E"))});
+                            QStringLiteral("Ctrl+E"));
   QAction* report = make("actionReport", tr("&Report…"),
                          tr("Write a report with verdict, pictures and tables, as PDF or as a page for the browser"),
-                         {QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+                         QStringLiteral("Ctrl+Shift+E"));
   QAction* report_title =
       make("actionReportTitle", tr("&Title of reports…"),
            tr("Robot, part, operator and notes, as they stand at the head of reports on this session"));
-  QAction* quit = make("actionQuit", tr("&Quit"), tr("Close the window"), {QKeySequence(QStringLiteral("Ctrl+Q"))});
+  QAction* quit = make("actionQuit", tr("&Quit"), tr("Close the window"), QStringLiteral("Ctrl+Q"));
   QAction* undo;
   QAction* redo;
-  QAction* toggle_pose = make("actionTogglePose", tr("&Disable pose"), tr("Leave the picked pose out, or take it back"),
-                              {QKeySequence(Qt::Key_Delete)});
+  QAction* toggle_pose =
+      make("actionTogglePose", tr("&Disable pose"), tr("Leave the picked pose out, or take it back"), Qt::Key_Delete);
   QAction* delete_pose = make("actionDeletePose", tr("De&lete pose"), tr("Take the picked pose out of the session"),
-                              {QKeySequence(QStringLiteral("Shift+Del"))});
+                              QStringLiteral("Shift+Del"));
   QAction* recapture = make("actionRecapture", tr("&Recapture pose"),
-                            tr("The next capture takes the place of the picked pose"), {QKeySequence(Qt::Key_R)});
+                            tr("The next capture takes the place of the picked pose"), Qt::Key_R);
   /// Recaptures the pose that the assessment wants again: "Take pose 2 again"
   QAction* retake = make("actionRetake", tr("Take a &pose again"),
                          tr("The next capture takes the place of the pose that keeps the result from being better"));
   /// "Set link aside", or "Take link back"
-  QAction* exclude_link =
-      make("actionExcludeLink", tr("Set link &aside"),
-           tr("Keep the picked link out of the solution, if it is a cable for example"), {QKeySequence(Qt::Key_M)});
-  QAction* capture =
-      make("actionCapture", tr("Capture &now"),
-           tr("Take the next readings as a pose, whether the part is still or not"), {QKeySequence(Qt::Key_Space)});
-  QAction* automatic =
-      make("actionAutomatic", tr("Capture by itself when &still"),
-           tr("Take a pose as soon as the part is held still after it was moved"), {QKeySequence(Qt::Key_A)});
-  QAction* skip_pose =
-      make("actionSkipPose", tr("S&kip this pose"), tr("The part can't be held like this: advise the next best pose"),
-           {QKeySequence(Qt::Key_N)});
-  QAction* turn =
-      make("actionTurn", tr("&Turn to the next pose"),
-           tr("Ask the device to turn itself to where the next pose helps most"), {QKeySequence(Qt::Key_T)});
+  QAction* exclude_link = make("actionExcludeLink", tr("Set link &aside"),
+                               tr("Keep the picked link out of the solution, if it is a cable for example"), Qt::Key_M);
+  QAction* capture = make("actionCapture", tr("Capture &now"),
+                          tr("Take the next readings as a pose, whether the part is still or not"), Qt::Key_Space);
+  QAction* automatic = make("actionAutomatic", tr("Capture by itself when &still"),
+                            tr("Take a pose as soon as the part is held still after it was moved"), Qt::Key_A);
+  QAction* skip_pose = make("actionSkipPose", tr("S&kip this pose"),
+                            tr("The part can't be held like this: advise the next best pose"), Qt::Key_N);
+  QAction* turn = make("actionTurn", tr("&Turn to the next pose"),
+                       tr("Ask the device to turn itself to where the next pose helps most"), Qt::Key_T);
   /// Can be checked: the device turns itself from pose to pose
-  QAction* robot =
-      make("actionRobot", tr("Let the ro&bot take the poses"),
-           tr("The device turns itself from pose to pose until there are enough"), {QKeySequence(Qt::Key_B)});
-  QAction* live_mode = make("actionLiveMode", tr("&Live mode"),
-                            tr("Draw the skin from its readings of this moment alone"), {QKeySequence(Qt::Key_L)});
+  QAction* robot = make("actionRobot", tr("Let the ro&bot take the poses"),
+                        tr("The device turns itself from pose to pose until there are enough"), Qt::Key_B);
+  QAction* live_mode =
+      make("actionLiveMode", tr("&Live mode"), tr("Draw the skin from its readings of this moment alone"), Qt::Key_L);
   QAction* cancel_solving = make("actionCancelSolving", tr("Stop working it o&ut"),
                                  tr("Stop working out the last change; what is shown stays as it was before"));
   /// What was given up
   QAction* solve_again =
       make("actionSolveAgain", tr("&Work it out after all"), tr("Work out the result that was stopped before"));
-  QAction* light_cell =
-      make("actionLightCell", tr("Li&ght the picked cell"),
-           tr("Switch on the light of the picked cell on the skin itself"), {QKeySequence(QStringLiteral("Ctrl+L"))});
+  QAction* light_cell = make("actionLightCell", tr("Li&ght the picked cell"),
+                             tr("Switch on the light of the picked cell on the skin itself"), QStringLiteral("Ctrl+L"));
   /// Shows where to look while holding the part
   QAction* show_next_pose =
       make("actionShowNextPose", tr("Show me the next pose"), tr("Open the step in which poses are captured"));
@@ -137,40 +129,37 @@ class WindowActions {
   QAction* show_finding = make("actionShowFinding", tr("Show what does not fit"),
                                tr("Pick the cell or link that the most serious finding is about"));
   QAction* find_cell =
-      make("actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), {QKeySequence::Find});
+      make("actionFindCell", tr("Find &cell…"), tr("Pick a cell by typing its ID"), QKeySequence::Find);
   /// Picks the least certain cell, and shows its figures
-  QAction* worst_cell = make("actionWorstCell", tr("Worst ce&ll"),
-                             tr("Pick the cell that is known least certainly, and show its figures and its neighbours"),
-                             {QKeySequence(Qt::Key_W)});
+  QAction* worst_cell =
+      make("actionWorstCell", tr("Worst ce&ll"),
+           tr("Pick the cell that is known least certainly, and show its figures and its neighbours"), Qt::Key_W);
   /// Of what is picked, on a card
-  QAction* figures = make("actionFigures", tr("F&igures of what is picked"),
-                          tr("Keep a card with all figures of the picked cell or link over the picture, or close it"),
-                          {QKeySequence(Qt::Key_I)});
-  QAction* fit = make("actionFit", tr("&Fit"), tr("Show the whole skin"), {QKeySequence(Qt::Key_F)});
+  QAction* figures =
+      make("actionFigures", tr("F&igures of what is picked"),
+           tr("Keep a card with all figures of the picked cell or link over the picture, or close it"), Qt::Key_I);
+  QAction* fit = make("actionFit", tr("&Fit"), tr("Show the whole skin"), Qt::Key_F);
   QAction* front = make("actionFront", tr("F&ront view"), tr("Look at the patch from the front"));
   QAction* side = make("actionSide", tr("&Side view"), tr("Look at the patch from its side"));
   QAction* top = make("actionTop", tr("&Top view"), tr("Look at the patch from above"));
   QAction* back = make("actionBack", tr("Bac&k view"), tr("Look at the patch from behind"));
   QAction* isometric = make("actionIsometric", tr("&Isometric view"), tr("Look at the patch from between its axes"));
-  QAction* screenshot = make("actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"),
-                             {QKeySequence(Qt::Key_F12)});
+  QAction* screenshot =
+      make("actionScreenshot", tr("&Picture of the window"), tr("Save a picture of this window"), Qt::Key_F12);
   /// F6, as Tab within one
-  QAction* next_pane =
-      make("actionNextPane", tr("&Next part of the window"),
-           tr("Take the keyboard to the next part: steps, pictures, tables"), {QKeySequence(Qt::Key_F6)});
+  QAction* next_pane = make("actionNextPane", tr("&Next part of the window"),
+                            tr("Take the keyboard to the next part: steps, pictures, tables"), Qt::Key_F6);
   QAction* previous_pane = make("actionPreviousPane", tr("Pre&vious part of the window"),
-                                tr("Take the keyboard to the part before"), {QKeySequence(QStringLiteral("Shift+F6"))});
-  QAction* guide =
-      make("actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"), {QKeySequence(Qt::Key_F1)});
-  QAction* keys = make("actionKeys", tr("&Keys"), tr("The list of keys"), {QKeySequence(Qt::Key_H)});
+                                tr("Take the keyboard to the part before"), QStringLiteral("Shift+F6"));
+  QAction* guide = make("actionGuide", tr("User &guide"), tr("How to calibrate a skin, page by page"), Qt::Key_F1);
+  QAction* keys = make("actionKeys", tr("&Keys"), tr("The list of keys"), Qt::Key_H);
   QAction* about = make("actionAbout", tr("&About Hexoderm"), tr("Version and licence"));
-  QAction* preferences = make("actionPreferences", tr("&Preferences…"),
-                              tr("Appearance, limits of the capture, options of the solver, folders"),
-                              {QKeySequence(QStringLiteral("Ctrl+,"))});
+  QAction* preferences =
+      make("actionPreferences", tr("&Preferences…"),
+           tr("Appearance, limits of the capture, options of the solver, folders"), QStringLiteral("Ctrl+,"));
   /// Graph and 3D view
-  QAction* swap_views =
-      make("actionSwapViews", tr("S&wap graph and 3D view"),
-           tr("The one in the middle goes to the side, and the other way round"), {QKeySequence(Qt::Key_G)});
+  QAction* swap_views = make("actionSwapViews", tr("S&wap graph and 3D view"),
+                             tr("The one in the middle goes to the side, and the other way round"), Qt::Key_G);
   QAction* reset_layout =
       make("actionResetLayout", tr("R&eset layout"), tr("Bring all panels back to where they were at the first start"));
   QAction* copy_report =
@@ -178,14 +167,12 @@ class WindowActions {
            tr("Versions, graphics, what is open and the last lines of the log, with your home folder as ~"));
   QAction* open_log_folder =
       make("actionOpenLogFolder", tr("&Open the log's folder"), tr("Show the folder in which the log is kept"));
-  QAction* plot =
-      make("actionPlot", tr("P&lot of figures"),
-           tr("Any figure of cells or links against any other; what is marked there is marked in all views"),
-           {QKeySequence(Qt::Key_P)});
-  QAction* compare =
-      make("actionCompare", tr("Before and &after"),
-           tr("The result of now beside an earlier one, seen from the same side, or with arrows between them"),
-           {QKeySequence(Qt::Key_C)});
+  QAction* plot = make(
+      "actionPlot", tr("P&lot of figures"),
+      tr("Any figure of cells or links against any other; what is marked there is marked in all views"), Qt::Key_P);
+  QAction* compare = make(
+      "actionCompare", tr("Before and &after"),
+      tr("The result of now beside an earlier one, seen from the same side, or with arrows between them"), Qt::Key_C);
   std::vector<QAction*> go_to_step;  ///< the first is step 1
   QMenu* recent;
   QActionGroup* themes;
@@ -204,8 +191,7 @@ class WindowActions {
     QMenu* edit = bar->addMenu(tr("&Edit"));
     edit->addActions({undo, redo});
     edit->addSeparator();
-    edit->addActions({toggle_pose, delete_pose, recapture});
-    edit->addAction(exclude_link);
+    edit->addActions({toggle_pose, delete_pose, recapture, exclude_link});
     edit->addSeparator();
     edit->addAction(preferences);
 
@@ -257,23 +243,19 @@ class WindowActions {
     } else if (!controller.isCurrent()) {
       no_result = tr("The last change could not be reconstructed; undo it first");
     }
-    allow(save, no_session);
-    allow(save_as, no_session);
-    allow(save_calibration, no_result);
-    allow(export_to, no_result);
-    allow(report, no_result);
-    allow(report_title, no_result);
+    for (QAction* action : {save, save_as}) allow(action, no_session);
+    for (QAction* action : {save_calibration, export_to, report, report_title}) allow(action, no_result);
 
     QString no_pose = no_session;
     const std::optional<std::size_t> index = pose_row ? controller.sessionIndexOfPoseRow(*pose_row) : std::nullopt;
     if (no_pose.isEmpty() && !index) no_pose = tr("Pick a pose in the table of poses first");
     const bool disabled = index && session->poses()[*index].disabled;
     toggle_pose->setText(disabled ? tr("&Enable pose") : tr("&Disable pose"));
-    allow(toggle_pose, no_pose);
-    allow(delete_pose, no_pose);
+    for (QAction* action : {toggle_pose, delete_pose}) allow(action, no_pose);
 
     refreshCapture(controller, no_session);
-    refreshSolving(controller);
+    allow(cancel_solving, controller.isSolving() ? QString() : tr("Nothing is being worked out"));
+    allow(solve_again, controller.wasCancelled() ? QString() : tr("Nothing was stopped"));
     refreshDevice(controller, cell);
     QString no_recapture = no_pose;
     if (no_recapture.isEmpty() && !controller.liveSession().isLive()) no_recapture = tr("No skin is connected");
@@ -327,10 +309,10 @@ class WindowActions {
   }
 
   QAction* make(const char* name, const QString& text, const QString& purpose,
-                const QList<QKeySequence>& shortcuts = {}) const {
+                const QKeySequence& shortcut = {}) const {
     auto* action = named(new QAction(text, owner_), name);
     action->setProperty(kPurpose, purpose);
-    action->setShortcuts(shortcuts);
+    action->setShortcut(shortcut);
     owner_->addAction(action);
     allow(action, {});
     return action;
@@ -392,11 +374,6 @@ class WindowActions {
     live_mode->setChecked(controller.liveMode().isOn());
     live_mode->setIconText(controller.liveMode().isOn() ? tr("End live mode") : tr("Live mode"));
     allow(live_mode, not_live);
-  }
-
-  void refreshSolving(const SessionController& controller) {
-    allow(cancel_solving, controller.isSolving() ? QString() : tr("Nothing is being worked out"));
-    allow(solve_again, controller.wasCancelled() ? QString() : tr("Nothing was stopped"));
   }
 
   void refreshRetake(const SessionController& controller) {

@@ -3,7 +3,6 @@
 #include "app/window/files/job_queue.h"
 #include "widgets/style/of_enum.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFile>
@@ -134,17 +133,8 @@ Handlers& handlers() {
 }
 
 Severity severityOf(QtMsgType type) {
-  switch (type) {
-    case QtDebugMsg:
-    case QtInfoMsg:
-      return Severity::Info;
-    case QtWarningMsg:
-      return Severity::Warning;
-    case QtCriticalMsg:
-    case QtFatalMsg:
-      return Severity::Error;
-  }
-  return Severity::Warning;
+  if (type == QtDebugMsg || type == QtInfoMsg) return Severity::Info;
+  return type == QtWarningMsg ? Severity::Warning : Severity::Error;
 }
 
 }  // namespace

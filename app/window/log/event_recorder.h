@@ -5,6 +5,7 @@
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/banner.h"
 #include "widgets/controls/message_bar.h"
+#include "widgets/style/of_enum.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
@@ -38,19 +39,6 @@ class EventRecorder : public QObject {
   }
 
  private:
-  static Severity severityOf(Tone tone) {
-    switch (tone) {
-      case Tone::Neutral:
-      case Tone::Good:
-        return Severity::Info;
-      case Tone::Caution:
-        return Severity::Warning;
-      case Tone::Bad:
-        return Severity::Error;
-    }
-    return Severity::Info;
-  }
-
   /// A result in one line: its size, its solver, the time it took, its verdict.
   static QString lineOf(const Reconstruction& result) {
     return EventRecorder::tr("Solved: %1, %2, %3, %4 ms. %5")
@@ -58,7 +46,9 @@ class EventRecorder : public QObject {
              figureText(1e3 * result.solve_seconds, 1), words(result.assessment.reason));
   }
 
-  void recordTold(Tone tone, const QString& text) { log_.add(severityOf(tone), text); }
+  void recordTold(Tone tone, const QString& text) {
+    log_.add(ofEnum(tone, {Severity::Info, Severity::Info, Severity::Warning, Severity::Error}), text);
+  }
   void recordAsked(const QAction& action) {
     log_.add(Severity::Info, tr("Asked for: %1").arg(action.text().remove(QLatin1Char('&'))));
   }

@@ -57,11 +57,8 @@ class LogModel : public ColumnTable {
     text_ = text;
     shown_.clear();
     taken_ = 0;
-    for (LogLine& line : log_.linesAfter(0)) {
-      taken_ = line.number;
-      if (isWanted(line)) shown_.push_back(std::move(line));
-    }
     endResetModel();
+    takeNew();
   }
 
   [[nodiscard]] const LogLine& lineAt(int row) const { return shown_[static_cast<std::size_t>(row)]; }
@@ -78,8 +75,7 @@ class LogModel : public ColumnTable {
     std::vector<LogLine> fresh = log_.linesAfter(taken_);
     if (fresh.empty()) return;
     taken_ = fresh.back().number;
-    fresh.erase(std::remove_if(fresh.begin(), fresh.end(), [this](const LogLine& line) { return !isWanted(line); }),
-                fresh.end());
+    std::erase_if(fresh, [this](const LogLine& line) { return !isWanted(line); });
     if (fresh.empty()) return;
     const auto first = static_cast<int>(shown_.size());
     beginInsertRows({}, first, first + static_cast<int>(fresh.size()) - 1);
@@ -112,14 +108,9 @@ class LogView : public QWidget {
   /// `log` must outlive the view.
   explicit LogView(const EventLog& log, QWidget* parent = nullptr) : QWidget(parent), model_(new LogModel(log, this)) {
     setObjectName(QStringLiteral("logView"));
-    setNames(severity_, QStringLiteral("logSeverity"), tr("Which lines of the log are shown"));
-    severity_->addItem(tr("Everything"));
-    severity_->addItem(tr("Warnings and errors"));
-    severity_->addItem(tr("Errors"));
-    setNames(text_, QStringLiteral("logText"), tr("Search the log"));
+    severity_->addItems({tr("Everything"), tr("Warnings and errors"), tr("Errors")});
     text_->setPlaceholderText(tr("Search"));
     text_->setClearButtonEnabled(true);
-    count_->setProperty("muted", true);
     auto* copy = named(new QPushButton(tr("Copy for a bug report")), "logCopy");
     copy->setToolTip(
         tr("Copies versions, graphics, what is open and the last 200 lines; your home folder is left out"));
@@ -129,7 +120,6 @@ class LogView : public QWidget {
     connect(copy, &QPushButton::clicked, this, &LogView::reportWanted);
     connect(folder, &QPushButton::clicked, this, &LogView::folderWanted);
 
-    setNames(table_, QStringLiteral("logTable"), tr("Log"));
     table_->setModel(model_);
     dressRows(table_);
     // All rows alike: measuring 10,000 of them would be felt.
@@ -205,10 +195,10 @@ class LogView : public QWidget {
   }
 
   LogModel* model_;
-  QComboBox* severity_ = new QComboBox;
-  QLineEdit* text_ = new QLineEdit;
-  QTableView* table_ = new QTableView;
-  QLabel* count_ = new QLabel;
+  QComboBox* severity_ = named(new QComboBox, "logSeverity", tr("Which lines of the log are shown"));
+  QLineEdit* text_ = named(new QLineEdit, "logText", tr("Search the log"));
+  QTableView* table_ = named(new QTableView, "logTable", tr("Log"));
+  QLabel* count_ = styledAs(new QLabel, "muted");
 };
 
 }  // namespace hexoderm

@@ -77,12 +77,9 @@ struct MainWindow::Presenters {
               window.unsaved_},
         recorder(window.log_, window.controller_, *parts.views.messages, window.QWidget::actions()) {
     connectVerify(parts, verification, files);
-    connectPlot(parts);
     connectGuide(parts);
     connectHistory(parts, files);
     connectPreferences(parts, themes);
-    connectSpeech(parts);
-    connectLog(parts);
     connectHelp(parts);
     connectViewCommands(parts);
     const WindowActions& keys = parts.actions;
@@ -211,7 +208,6 @@ void MainWindow::refresh() {
   // Which actions can be used, before what asks them: steps, what is said aloud, and offers beside findings.
   presenters_->picked.refresh();
   refreshGuide(presenters_->parts);
-  refreshSpeech(presenters_->parts);
   presenters_->findings.refresh();
   // Of the others none asks what another has done.
   presenters_->results.refresh();
@@ -222,9 +218,6 @@ void MainWindow::refresh() {
   refreshHistory(presenters_->parts);
 }
 
-PlacePanel* MainWindow::placePanel() { return views_->place_panel; }
-RobotView* MainWindow::robotView() { return views_->robot; }
-VerifyPanel* MainWindow::verifyPanel() { return views_->verify_panel; }
 void MainWindow::openFile(const QString& path) { presenters_->files.openFile(path); }
 void MainWindow::startDemo() { presenters_->files.startDemo(); }
 void MainWindow::connectTo(const ConnectRequest& request) { presenters_->connection.connectTo(request); }

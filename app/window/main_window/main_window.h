@@ -20,9 +20,6 @@
 namespace hexoderm {
 
 class Panels;
-class PlacePanel;
-class RobotView;
-class VerifyPanel;
 struct Views;
 
 /// The one window: it creates the controller, the views and the presenters that wire them, and lays the views out. What
@@ -41,11 +38,6 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] Preferences& preferences() { return preferences_; }
   [[nodiscard]] RecentFiles& recentFiles() { return recent_; }
   [[nodiscard]] UnsavedSessions& unsavedSessions() { return unsaved_; }
-  /// The body of the step Verify.
-  [[nodiscard]] VerifyPanel* verifyPanel();
-  /// The body of the step "Place on the robot", and the robot in 3D.
-  [[nodiscard]] PlacePanel* placePanel();
-  [[nodiscard]] RobotView* robotView();
 
   /// All ask first if poses would be lost.
   void openFile(const QString& path);

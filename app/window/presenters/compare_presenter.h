@@ -2,7 +2,7 @@
 
 #include "app/window/presenters/presenter.h"
 #include "app/window/session/verification.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/solve/checks/evaluation.h"
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/patch/compare_view.h"
@@ -12,7 +12,6 @@
 #include <QStringList>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <vector>
 
 namespace hexoderm {
@@ -34,8 +33,6 @@ class ComparePresenter : public Presenter {
   ~ComparePresenter() override { delete dialog_; }
 
  private:
-  enum class Source { LastChange, Calibration };
-
   void note(const std::shared_ptr<const Reconstruction>& reconstruction) {
     // A null one stands between two sessions: what was before belongs to the other.
     before_ = reconstruction ? now_ : nullptr;
@@ -45,15 +42,14 @@ class ComparePresenter : public Presenter {
 
   void open() {
     if (dialog_ == nullptr) {
-      dialog_ = new QDialog(&window, Qt::Window);
-      dialog_->setObjectName(QStringLiteral("compareDialog"));
+      dialog_ = named(new QDialog(&window, Qt::Window), "compareDialog");
       dialog_->setWindowTitle(tr("Before and after"));
       auto* layout = new QVBoxLayout(dialog_);
       layout->setContentsMargins(0, 0, 0, 0);
       view_ = new CompareView(&selection);
       layout->addWidget(view_);
       connect(view_, &CompareView::sourceChosen, this, [this](int index) {
-        chosen_ = sources_.at(static_cast<std::size_t>(index));
+        prefers_calibration_ = index > 0 || !before_;
         showComparison();
       });
       dialog_->resize(QSize(1100, 640).boundedTo(0.9 * window.screen()->availableSize()));
@@ -70,29 +66,19 @@ class ComparePresenter : public Presenter {
     if (dialog_ == nullptr || !dialog_->isVisible()) return;
     const std::shared_ptr<const Reconstruction>& calibration = verification_.reference();
     QStringList names;
-    sources_.clear();
-    if (before_) {
-      sources_.push_back(Source::LastChange);
-      names << tr("the result before the last change");
-    }
-    if (calibration) {
-      sources_.push_back(Source::Calibration);
-      names << tr("%1, of the step Verify").arg(verification_.referenceName());
-    }
-    const auto chosen = std::ranges::find(sources_, chosen_);
-    const auto index = chosen == sources_.end() ? std::ptrdiff_t{0} : chosen - sources_.begin();
+    if (before_) names << tr("the result before the last change");
+    if (calibration) names << tr("%1, of the step Verify").arg(verification_.referenceName());
+    const bool by_calibration = calibration && (prefers_calibration_ || !before_);
     CompareView::Content content;
     content.now = now_;
-    if (!sources_.empty()) {
-      content.before = sources_[static_cast<std::size_t>(index)] == Source::LastChange ? before_ : calibration;
-    }
+    content.before = by_calibration ? calibration : before_;
     if (content.before && content.now) {
       content.comparison =
           std::make_shared<const std::vector<Comparison>>(compareToReconstruction(*content.now, *content.before));
     }
     view_->setContent(content);
     view_->setSources(
-        names, static_cast<int>(index),
+        names, by_calibration && before_ ? 1 : 0,
         tr("There is nothing to compare with yet: change something, take another pose, or choose an earlier "
            "calibration in the step Verify."));
   }
@@ -102,8 +88,7 @@ class ComparePresenter : public Presenter {
   CompareView* view_ = nullptr;
   std::shared_ptr<const Reconstruction> now_;
   std::shared_ptr<const Reconstruction> before_;  ///< the last change of the same session
-  Source chosen_ = Source::LastChange;
-  std::vector<Source> sources_;  ///< as the view lists them
+  bool prefers_calibration_ = false;              ///< to the last change, where there are both
 };
 
 }  // namespace hexoderm

@@ -3,7 +3,7 @@
 #include "app/window/dialogs/connect_dialog.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/presenter.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "widgets/words/words.h"
 
 #include <QDir>

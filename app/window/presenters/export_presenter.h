@@ -2,22 +2,47 @@
 
 #include "app/window/dialogs/export_dialog.h"
 #include "app/window/dialogs/package_dialog.h"
-#include "app/window/dialogs/report_title_dialog.h"
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/presenters/presenter.h"
 #include "app/window/report/report.h"
-#include "app/window/report/report_pictures.h"
 #include "app/window/report/report_title.h"
 #include "app/window/session/result_files.h"
 #include "app/window/session/verification.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/sim/simulated_session.h"
+#include "widgets/controls/selection.h"
+#include "widgets/graph/graph_view.h"
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QPainter>
 #include <functional>
 #include <utility>
 
 namespace hexoderm {
+
+struct ReportPictures {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPictures)
+};
+
+/// As wide as the paper's column at the size that texts have there.
+inline constexpr QSize kReportGraph(860, 400);
+
+/// The picture that only a view can draw, the skin graph, for paper (the light colours, whatever the window has),
+/// without anything that is there to be pressed. On the GUI thread. The patches are drawn with the report itself.
+inline ReportPicture takeReportGraph(const std::shared_ptr<const Reconstruction>& reconstruction) {
+  Selection nothing_picked;
+  GraphView graph(&nothing_picked);
+  graph.setPalette(qtPalette(Theme::Light));
+  // Laid out as if it were shown, and not on any screen.
+  graph.setAttribute(Qt::WA_DontShowOnScreen);
+  graph.resize(kReportGraph);
+  graph.show();
+  graph.setReconstruction(reconstruction);
+  graph.fit();
+  return {ReportPictures::tr("Skin graph: the patches laid flat, their links by how well the poses determine them"),
+          kReportGraph, [drawn = graph.picture()](QPainter& painter) { drawn.draw(painter); }};
+}
 
 /// Reports and exports: asks what they are to be, once for the title of a session's reports, and has them written.
 class ExportPresenter : public Presenter {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "app/window/presenters/presenter.h"
-#include "app/window/toolkit/deferred_dialog.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/tables/table_csv.h"
 
@@ -166,9 +165,9 @@ class FilePresenter : public Presenter {
 
  private:
   void askToOpen() {
-    askForFile(&window, "openDialog", tr("Open a session or a calibration"), lastFolder(),
-               tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"), this,
-               [this](const QString& path) { openFile(path); });
+    askToRead("openDialog", tr("Open a session or a calibration"),
+              tr("Sessions and calibrations (*.hexo *.json *.xml)") + QStringLiteral(";;") + tr("All files (*)"),
+              [this](const QString& path) { openFile(path); });
   }
 
   void saveSession(bool always_ask) {

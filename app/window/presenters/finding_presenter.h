@@ -1,6 +1,5 @@
 #pragma once
 
-#include "app/window/guide/guide.h"
 #include "app/window/presenters/presenter.h"
 #include "app/window/presenters/result_presenter.h"
 #include "app/window/presenters/review_presenter.h"

@@ -21,6 +21,16 @@ GuideStep firstStepOf(const SessionController& controller) {
   return waits_for_places ? GuideStep::Place : GuideStep::Review;
 }
 
+void refreshSpeech(const WindowParts& parts) {
+  const SessionController& controller = parts.controller;
+  QString instruction;
+  if (controller.liveSession().source().isRunning() && !controller.liveMode().isOn()) {
+    if (!controller.liveSession().isRobotOn()) instruction = parts.views.capture_panel->instruction();
+    if (instruction.isEmpty()) instruction = describeStand(controller, parts.actions).sentence;
+  }
+  parts.views.voice->setInstruction(instruction);
+}
+
 }  // namespace
 
 void connectGuide(const WindowParts& parts) {
@@ -28,6 +38,11 @@ void connectGuide(const WindowParts& parts) {
   QObject::connect(&parts.controller, &SessionController::opened, steps, [steps, &controller = parts.controller] {
     steps->openStep(static_cast<int>(firstStepOf(controller)));
   });
+  QObject::connect(parts.views.capture_panel, &CapturePanel::instructionChanged, &parts.wires,
+                   [&parts] { refreshSpeech(parts); });
+  const auto follow = [&parts] { parts.views.voice->setEnabled(parts.preferences.isOn(Switch::Speech)); };
+  follow();
+  QObject::connect(&parts.preferences, &Preferences::switched, &parts.wires, follow);
 }
 
 void refreshGuide(const WindowParts& parts) {
@@ -47,6 +62,7 @@ void refreshGuide(const WindowParts& parts) {
     action->setEnabled(is_there);
     if (is_there) action->setText(WindowParts::tr("Step &%1: %2").arg(k + 1).arg(steps[k].title));
   }
+  refreshSpeech(parts);
 }
 
 }  // namespace hexoderm

@@ -2,10 +2,16 @@
 
 #include "app/window/guide/guide_window.h"
 #include "app/window/guide/keys_dialog.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/log/bug_report.h"
+#include "app/window/toolkit/dialogs.h"
 
+#include <QClipboard>
+#include <QDesktopServices>
+#include <QDir>
+#include <QGuiApplication>
 #include <QLayout>
 #include <QMessageBox>
+#include <QUrl>
 
 namespace hexoderm {
 namespace {
@@ -45,6 +51,27 @@ void connectHelp(const WindowParts& parts) {
   QObject::connect(parts.actions.keys, &QAction::triggered, &parts.wires,
                    [&parts] { showKeysDialog(&parts.window, *parts.views.menus); });
   QObject::connect(parts.actions.about, &QAction::triggered, &parts.wires, [&parts] { showAbout(parts.window); });
+
+  EventLog& log = parts.log;
+  MessageBar* const messages = parts.views.messages;
+  const auto copyReport = [&parts, messages] {
+    QGuiApplication::clipboard()->setText(composeBugReport(parts.log, parts.controller, parts.window));
+    messages->showMessage(Tone::Good,
+                          WindowParts::tr("Copied: versions, graphics, what is open and the last lines of the log, "
+                                          "with your home folder as ~. Paste it into the report."));
+  };
+  const auto openFolder = [&log, messages] {
+    if (QDesktopServices::openUrl(QUrl::fromLocalFile(log.folder()))) return;
+    messages->showMessage(Tone::Caution, WindowParts::tr("No program to show folders was found. The log is %1.")
+                                             .arg(QDir::toNativeSeparators(log.filePath())));
+  };
+  QObject::connect(parts.views.log, &LogView::reportWanted, &parts.wires, copyReport);
+  QObject::connect(parts.views.log, &LogView::folderWanted, &parts.wires, openFolder);
+  QObject::connect(parts.actions.copy_report, &QAction::triggered, &parts.wires, copyReport);
+  QObject::connect(parts.actions.open_log_folder, &QAction::triggered, &parts.wires, openFolder);
+  QObject::connect(&log, &EventLog::fileFailed, &parts.wires, [messages](const QString& why) {
+    messages->showMessage(Tone::Caution, WindowParts::tr("The log is kept in memory only. %1").arg(why));
+  });
 }
 
 }  // namespace hexoderm

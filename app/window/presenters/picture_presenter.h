@@ -62,7 +62,6 @@ class PicturePresenter : public Presenter {
   /// In turns of their own, because a theme, drawing and the picture all take their time without a graphics card. A
   /// pause of 0 would be none: what is posted comes before everything that waits.
   void drawAndSave(const QString& path) {
-    constexpr int kNextTurn_ms = 1;
     afterTheme([this, path] {
       settle();
       views.graph->drawNow();

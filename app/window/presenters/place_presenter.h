@@ -6,9 +6,8 @@
 #include "app/window/presenters/place_search.h"
 #include "app/window/presenters/place_sentences.h"
 #include "app/window/presenters/presenter.h"
-#include "app/window/presenters/robot_picture.h"
 #include "app/window/session/place_facts.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/robot/place_words.h"
 
@@ -34,9 +33,9 @@ class PlacePresenter : public Presenter {
       : Presenter(parts),
         placing_(placing),
         facts_(controller),
-        search_(controller, placing, facts_, faults_),
-        by_hand_(*views.place_panel, *views.robot, controller, facts_, faults_),
-        sentences_(facts_, faults_),
+        search_(controller, placing, facts_),
+        by_hand_(*views.place_panel, *views.robot, controller, facts_),
+        sentences_(facts_),
         decisions_(controller, facts_) {
     connectPanel();
     connectWork();
@@ -47,9 +46,7 @@ class PlacePresenter : public Presenter {
     });
     connect(&controller, &SessionController::opened, this, [this] {
       joints_file_.clear();
-      faults_.robot.clear();
-      faults_.joints.clear();
-      faults_.known.clear();
+      facts_.faults = {};
       facts_.pose = 0;
       facts_.spoken_of = CellId(0);
       looked_at_.reset();
@@ -95,8 +92,8 @@ class PlacePresenter : public Presenter {
     } else if (facts_.robot) {
       readJoints(path);
     } else {
-      faults_.joints = tr("Choose the robot first: its joints have the names of the columns.");
-      faults_.robot = faults_.joints;
+      facts_.faults.joints = tr("Choose the robot first: its joints have the names of the columns.");
+      facts_.faults.robot = facts_.faults.joints;
       showStand();
     }
     return true;
@@ -110,15 +107,15 @@ class PlacePresenter : public Presenter {
     connect(panel, &PlacePanel::jointsWanted, this, &PlacePresenter::askForJoints);
     connect(panel, &PlacePanel::anglesTyped, this, &PlacePresenter::setAngles);
     connect(panel, &PlacePanel::anglesRefused, this, [this](const QString& why) {
-      faults_.joints = why;
+      facts_.faults.joints = why;
       showStand();
     });
     connect(panel, &PlacePanel::cancelRequested, this, [this](PlaceWork work) {
       placing_.cancel(work);
       if (work == PlaceWork::Robot) search_.dropPickedRobot();
-      if (work == PlaceWork::Links) faults_.links = tr("Cancelled.");
+      if (work == PlaceWork::Links) facts_.faults.links = tr("Cancelled.");
       if (work == PlaceWork::Places) {
-        faults_.places = tr("Cancelled.");
+        facts_.faults.places = tr("Cancelled.");
         facts_.lays = false;
       }
       refresh();
@@ -129,7 +126,7 @@ class PlacePresenter : public Presenter {
     });
     connect(panel, &PlacePanel::patchChosen, this, [this](quint32 origin) {
       facts_.spoken_of = CellId(origin);
-      faults_.known.clear();
+      facts_.faults.known.clear();
       by_hand_.leaveAlone();
       facts_.put.reset();
       facts_.lays = false;
@@ -147,11 +144,11 @@ class PlacePresenter : public Presenter {
       if (!facts_.robot || of == nullptr) return;
       const std::string& name = facts_.robot->model.links()[link].name;
       if (name == facts_.linkOf(*of)) {
-        faults_.known.clear();
+        facts_.faults.known.clear();
         views.place_panel->proposePoint(x_l);
       } else {
-        faults_.known = tr("This point is on link %1, and the patch on %2: pick a point of that link.")
-                            .arg(QString::fromStdString(name), QString::fromStdString(facts_.linkOf(*of)));
+        facts_.faults.known = tr("This point is on link %1, and the patch on %2: pick a point of that link.")
+                                  .arg(QString::fromStdString(name), QString::fromStdString(facts_.linkOf(*of)));
       }
       showStand();
     });
@@ -160,7 +157,7 @@ class PlacePresenter : public Presenter {
   void connectWork() {
     connect(&placing_, &Placing::runningChanged, views.place_panel, &PlacePanel::setRunning);
     connect(&placing_, &Placing::jointsRead, this, [this](const LoadedJoints& joints) {
-      faults_.joints.clear();
+      facts_.faults.joints.clear();
       joints_file_ = joints.file;
       std::vector<SessionEdit> edits;
       // Poses may have gone while the file was read.
@@ -169,7 +166,7 @@ class PlacePresenter : public Presenter {
         if (edit.index < poses) edits.emplace_back(edit);
       }
       if (edits.empty()) {
-        faults_.joints = tr("%1 has no line for any pose of this session.").arg(joints.file);
+        facts_.faults.joints = tr("%1 has no line for any pose of this session.").arg(joints.file);
       } else {
         controller.perform(edits, tr("read the joint angles of %1").arg(joints.file));
       }
@@ -177,7 +174,7 @@ class PlacePresenter : public Presenter {
     });
     connect(&placing_, &Placing::failed, this, [this](PlaceWork work, const QString& message) {
       if (work != PlaceWork::Joints) return;
-      faults_.joints = message;
+      facts_.faults.joints = message;
       refresh();
     });
     connect(&search_, &PlaceSearch::changed, this, &PlacePresenter::refresh);
@@ -185,8 +182,8 @@ class PlacePresenter : public Presenter {
       if (std::exchange(facts_.lays, false)) {
         const auto laid = std::ranges::find(facts_.places->candidates, true, &PlaceCandidate::by_hand);
         if (laid != facts_.places->candidates.end()) {
-          faults_.known = decisions_.choosePlace(static_cast<int>(laid - facts_.places->candidates.begin()),
-                                                 tr("move the patch by hand"));
+          facts_.faults.known = decisions_.choosePlace(static_cast<int>(laid - facts_.places->candidates.begin()),
+                                                       tr("move the patch by hand"));
         }
       }
       refresh();
@@ -216,30 +213,28 @@ class PlacePresenter : public Presenter {
   }
 
   void askForRobot() {
-    askForFile(&window, "robotDialog", tr("Choose the robot's URDF"), lastFolder(),
-               tr("Robots (*.urdf *.xml);;All files (*)"), this, [this](const QString& path) {
-                 rememberFolder(path);
-                 pickRobot({path.toStdString(), {}, {}});
-               });
+    askToRead("robotDialog", tr("Choose the robot's URDF"), tr("Robots (*.urdf *.xml);;All files (*)"),
+              [this](const QString& path) {
+                pickRobot({path.toStdString(), {}, {}});
+              });
   }
 
   void askForPackage() {
-    askForFolder(&window, "packageDialog", tr("The folder of a package"), lastFolder(), this,
-                 [this](const QString& path) {
-                   if (!facts_.robot) return;
-                   RobotDescription description = facts_.robot->description;
-                   description.sha256.clear();
-                   description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
-                   pickRobot(description);
-                 });
+    askForFile(
+        &window, "packageDialog", tr("The folder of a package"), lastFolder(), {}, this,
+        [this](const QString& path) {
+          if (!facts_.robot) return;
+          RobotDescription description = facts_.robot->description;
+          description.sha256.clear();
+          description.packages[QDir(path).dirName().toStdString()] = path.toStdString();
+          pickRobot(description);
+        },
+        QFileDialog::Directory);
   }
 
   void askForJoints() {
-    askForFile(&window, "jointsDialog", tr("Choose a table of joint angles"), lastFolder(),
-               tr("Tables (*.csv *.tsv *.txt);;All files (*)"), this, [this](const QString& path) {
-                 rememberFolder(path);
-                 readJoints(path);
-               });
+    askToRead("jointsDialog", tr("Choose a table of joint angles"), tr("Tables (*.csv *.tsv *.txt);;All files (*)"),
+              [this](const QString& path) { readJoints(path); });
   }
 
   void pickRobot(const RobotDescription& description) {
@@ -248,14 +243,14 @@ class PlacePresenter : public Presenter {
   }
 
   void readJoints(const QString& path) {
-    faults_.joints.clear();
+    facts_.faults.joints.clear();
     if (!facts_.robot || !controller.session()) return;
     placing_.readJoints(path, facts_.robot, *controller.session());
   }
 
   void setAngles(const std::vector<TypedAngle>& angles) {
     if (!controller.session()) return;
-    faults_.joints.clear();
+    facts_.faults.joints.clear();
     const std::vector<SessionPose>& poses = controller.session()->poses();
     std::map<std::size_t, JointAngles> of_poses;
     for (const TypedAngle& angle : angles) {
@@ -291,7 +286,7 @@ class PlacePresenter : public Presenter {
       const auto index = facts_.robot->model.findLink(link);
       stand.has_surface = index && !(*facts_.robot->bodies)[*index].empty();
       stand.known = facts_.decided(*of);
-      stand.known_fault = faults_.known;
+      stand.known_fault = facts_.faults.known;
       stand.is_placed = stand.known.place.has_value();
       stand.place = facts_.rowOfPlace();
       if (facts_.places) {
@@ -356,13 +351,12 @@ class PlacePresenter : public Presenter {
 
   /// What became of a decision is shown.
   void take(const QString& fault) {
-    faults_.known = fault;
+    facts_.faults.known = fault;
     refresh();
   }
 
   Placing& placing_;
   PlaceFacts facts_;
-  PlaceFaults faults_;
   PlaceSearch search_;
   PlaceByHand by_hand_;
   PlaceSentences sentences_;

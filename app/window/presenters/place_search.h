@@ -23,11 +23,11 @@ class PlaceSearch : public QObject {
 
  public:
   /// All outlive this.
-  PlaceSearch(SessionController& controller, Placing& placing, PlaceFacts& facts, PlaceFaults& faults)
-      : controller_(controller), placing_(placing), facts_(facts), faults_(faults) {
+  PlaceSearch(SessionController& controller, Placing& placing, PlaceFacts& facts)
+      : controller_(controller), placing_(placing), facts_(facts) {
     connect(&placing_, &Placing::robotRead, this, [this](const std::shared_ptr<const LoadedRobot>& robot) {
       facts_.robot = robot;
-      faults_.robot.clear();
+      facts_.faults.robot.clear();
       facts_.links.reset();
       links_question_.reset();
       forgetPlaces();
@@ -39,12 +39,12 @@ class PlaceSearch : public QObject {
     });
     connect(&placing_, &Placing::linksFound, this, [this](const std::shared_ptr<const LinksResult>& links) {
       facts_.links = links;
-      faults_.links.clear();
+      facts_.faults.links.clear();
       emit changed();
     });
     connect(&placing_, &Placing::placesFound, this, [this](const std::shared_ptr<const PlaceResult>& places) {
       facts_.places = places;
-      faults_.places.clear();
+      facts_.faults.places.clear();
       facts_.preview = -1;
       emit placesFound();
     });
@@ -53,7 +53,7 @@ class PlaceSearch : public QObject {
 
   /// Reads a robot for the operator; the session gets it if it can be read.
   void pickRobot(const RobotDescription& description) {
-    faults_.robot.clear();
+    facts_.faults.robot.clear();
     picked_ = description;
     placing_.readRobot(description);
   }
@@ -76,7 +76,7 @@ class PlaceSearch : public QObject {
     facts_.robot.reset();
     facts_.links.reset();
     links_question_.reset();
-    faults_.robot.clear();
+    facts_.faults.robot.clear();
     forgetPlaces();
     if (asked_) {
       placing_.readRobot(*asked_);
@@ -90,7 +90,7 @@ class PlaceSearch : public QObject {
     if (!facts_.robot || !facts_.solved || !controller_.session() || known.empty()) {
       facts_.links.reset();
       links_question_.reset();
-      faults_.links.clear();
+      facts_.faults.links.clear();
       placing_.cancel(PlaceWork::Links);
       return;
     }
@@ -102,7 +102,7 @@ class PlaceSearch : public QObject {
     }
     if (links_question_ == question) return;
     links_question_ = question;
-    faults_.links.clear();
+    facts_.faults.links.clear();
     LinksOptions options;
     options.chosen = question.chosen;
     placing_.findLinks(facts_.solved, facts_.robot, known, options);
@@ -133,7 +133,7 @@ class PlaceSearch : public QObject {
     for (const PatchReconstruction* other : facts_.placedWith(*of))
       known_points += facts_.decided(*other).points.size();
     if (known_points > task->points.size()) {
-      faults_.places_remark =
+      facts_.faults.places_remark =
           tr("Of a patch this large only some cells are placed, and %1 known points are of others: give points "
              "of other cells.")
               .arg(known_points - task->points.size());
@@ -144,8 +144,8 @@ class PlaceSearch : public QObject {
   void forgetPlaces() {
     facts_.places.reset();
     places_question_.reset();
-    faults_.places.clear();
-    faults_.places_remark.clear();
+    facts_.faults.places.clear();
+    facts_.faults.places_remark.clear();
     facts_.preview = -1;
     placing_.cancel(PlaceWork::Places);
   }
@@ -200,18 +200,18 @@ class PlaceSearch : public QObject {
   void takeFault(PlaceWork work, const QString& message) {
     switch (work) {
       case PlaceWork::Robot:
-        faults_.robot = message;
+        facts_.faults.robot = message;
         picked_.reset();
         break;
       case PlaceWork::Joints:
         return;  // nothing that is looked for
       case PlaceWork::Links:
         facts_.links.reset();
-        faults_.links = message;
+        facts_.faults.links = message;
         break;
       case PlaceWork::Places:
         facts_.places.reset();
-        faults_.places = message;
+        facts_.faults.places = message;
         facts_.lays = false;
         break;
     }
@@ -221,7 +221,6 @@ class PlaceSearch : public QObject {
   SessionController& controller_;
   Placing& placing_;
   PlaceFacts& facts_;
-  PlaceFaults& faults_;
   std::optional<RobotDescription> asked_;   ///< whose file is read, or was
   std::optional<RobotDescription> picked_;  ///< by the operator, and being read; the session gets it if it can be
   std::optional<LinksQuestion> links_question_;

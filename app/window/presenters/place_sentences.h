@@ -12,27 +12,17 @@
 
 namespace hexoderm {
 
-/// What went wrong in the step "Place on the robot", each where it is shown; empty: nothing did.
-struct PlaceFaults {
-  QString robot;
-  QString joints;
-  QString links;
-  QString places;
-  QString known;          ///< of points and distances
-  QString places_remark;  ///< no fault: what was left out of the fit
-};
-
 /// What the step "Place on the robot" says of what is known, in the operator's language.
 class PlaceSentences {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::PlaceSentences)
 
  public:
-  /// Both are read when something is asked, and outlive this.
-  PlaceSentences(const PlaceFacts& facts, const PlaceFaults& faults) : facts_(facts), faults_(faults) {}
+  /// They are read when something is asked, and outlive this.
+  explicit PlaceSentences(const PlaceFacts& facts) : facts_(facts) {}
 
   [[nodiscard]] VerifySentence robot() const {
     std::vector<VerifySentence> sentences;
-    if (!faults_.robot.isEmpty()) sentences.push_back({Tone::Bad, faults_.robot});
+    if (!facts_.faults.robot.isEmpty()) sentences.push_back({Tone::Bad, facts_.faults.robot});
     if (facts_.robot) {
       sentences.push_back({Tone::Good, tr("%1, %2 links, from %3.")
                                            .arg(QString::fromStdString(facts_.robot->model.name()))
@@ -48,7 +38,7 @@ class PlaceSentences {
   [[nodiscard]] VerifySentence joints() const {
     if (!facts_.robot || !facts_.controller.session()) return {};
     std::vector<VerifySentence> sentences;
-    if (!faults_.joints.isEmpty()) sentences.push_back({Tone::Bad, faults_.joints});
+    if (!facts_.faults.joints.isEmpty()) sentences.push_back({Tone::Bad, facts_.faults.joints});
     const std::map<PoseId, JointAngles> known = facts_.angles();
     const std::size_t poses = facts_.controller.session()->poses().size();
     if (known.empty()) {
@@ -72,18 +62,19 @@ class PlaceSentences {
   }
 
   [[nodiscard]] VerifySentence link(const PatchReconstruction& patch) const {
-    if (!faults_.links.isEmpty()) return {Tone::Bad, faults_.links};
+    if (!facts_.faults.links.isEmpty()) return {Tone::Bad, facts_.faults.links};
     if (const PatchLinks* links = facts_.linksOf(patch)) return linkText(*links);
     if (facts_.links) return {Tone::Caution, tr("This patch saw gravity in no pose that has joint angles.")};
     return {};
   }
 
   [[nodiscard]] VerifySentence places() const {
-    if (!faults_.places.isEmpty()) return {Tone::Bad, faults_.places};
-    if (!facts_.places) return {faults_.places_remark.isEmpty() ? Tone::Neutral : Tone::Caution, faults_.places_remark};
+    if (!facts_.faults.places.isEmpty()) return {Tone::Bad, facts_.faults.places};
+    if (!facts_.places)
+      return {facts_.faults.places_remark.isEmpty() ? Tone::Neutral : Tone::Caution, facts_.faults.places_remark};
     const int row = facts_.preview >= 0 ? facts_.preview : std::max(0, facts_.rowOfPlace());
     VerifySentence said = placesText(*facts_.places, static_cast<std::size_t>(row));
-    if (!faults_.places_remark.isEmpty()) said.text += QLatin1Char('\n') + faults_.places_remark;
+    if (!facts_.faults.places_remark.isEmpty()) said.text += QLatin1Char('\n') + facts_.faults.places_remark;
     return said;
   }
 
@@ -125,7 +116,6 @@ class PlaceSentences {
   }
 
   const PlaceFacts& facts_;
-  const PlaceFaults& faults_;
 };
 
 }  // namespace hexoderm

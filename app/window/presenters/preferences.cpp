@@ -2,7 +2,7 @@
 
 #include "app/window/presenters/theme_presenter.h"
 #include "app/window/settings/preferences_dialog.h"
-#include "app/window/toolkit/deferred_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "widgets/patch/scene_widget.h"
 
 #include <QTimer>

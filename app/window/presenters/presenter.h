@@ -4,11 +4,13 @@
 #include "app/window/log/event_log.h"
 #include "app/window/session/session_controller.h"
 #include "app/window/settings/preferences.h"
+#include "app/window/toolkit/dialogs.h"
 #include "app/window/views/panels.h"
 #include "app/window/views/views.h"
 
 #include <QCoreApplication>
 #include <QObject>
+#include <functional>
 
 namespace hexoderm {
 
@@ -35,6 +37,15 @@ struct WindowParts {
   EventLog& log;
   RecentFiles& recent;
   UnsavedSessions& unsaved;
+
+  /// Asks for a file to be read, at first in the folder of the last one.
+  void askToRead(const char* name, const QString& title, const QString& filter,
+                 const std::function<void(const QString&)>& take) const {
+    askForFile(&window, name, title, lastFolder(), filter, &wires, [take](const QString& path) {
+      rememberFolder(path);
+      take(path);
+    });
+  }
 };
 
 /// Wires the session and the views, as far as one duty goes that has a state of its own; the others are functions

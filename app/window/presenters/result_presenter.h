@@ -36,14 +36,14 @@ class ResultPresenter : public QObject {
 
   /// The view shows the session's result. Views get it in the order in which they were added.
   template <class View>
-  void add(View* view) {
-    receivers_.push_back({setterOf(view), false});
+  void add(View* view, bool is_picture = false) {
+    receivers_.push_back({[view](const Result& result) { view->setReconstruction(result); }, is_picture});
   }
   /// The view shows the session's result, in live mode that of the moment, and before the first result of a large skin
   /// its cells as far as they are placed.
   template <class View>
   void addPicture(View* view) {
-    receivers_.push_back({setterOf(view), true});
+    add(view, true);
   }
   /// The view says what is awaited while there is no result.
   template <class View>
@@ -64,16 +64,10 @@ class ResultPresenter : public QObject {
 
  private:
   using Result = std::shared_ptr<const Reconstruction>;
-  using Setter = std::function<void(const Result&)>;
   struct Receiver {
-    Setter set;
+    std::function<void(const Result&)> set;
     bool is_picture = false;
   };
-  template <class View>
-  static Setter setterOf(View* view) {
-    return [view](const Result& result) { view->setReconstruction(result); };
-  }
-
   void handOut(const Result& result) {
     for (const Receiver& receiver : receivers_) {
       if (!receiver.is_picture || !controller_.liveMode().isOn()) receiver.set(result);

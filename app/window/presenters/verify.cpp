@@ -2,7 +2,7 @@
 
 #include "app/window/presenters/file_presenter.h"
 #include "app/window/session/verification.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 
 namespace hexoderm {
 namespace {
@@ -52,21 +52,15 @@ void connectVerify(const WindowParts& parts, Verification& verification, FilePre
   QObject::connect(panel, &VerifyPanel::comparisonDropped, &verification, &Verification::dropComparison);
   QObject::connect(panel, &VerifyPanel::oldCalibrationRequested, &verification, &Verification::checkOldCalibration);
   QObject::connect(panel, &VerifyPanel::oldCalibrationDropped, &verification, &Verification::dropOldCalibration);
-  const auto ask = [&parts, panel](const char* name, const QString& title, const QString& filter, auto take) {
-    askForFile(&parts.window, name, title, lastFolder(), filter, &parts.wires, [panel, take](const QString& path) {
-      rememberFolder(path);
-      take(*panel, path);
-    });
-  };
-  QObject::connect(panel, &VerifyPanel::comparisonFileWanted, &parts.wires, [ask] {
-    ask("comparisonDialog", WindowParts::tr("Compare with an earlier calibration"),
-        WindowParts::tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"),
-        [](VerifyPanel& of, const QString& path) { of.compareWith(path); });
+  QObject::connect(panel, &VerifyPanel::comparisonFileWanted, &parts.wires, [&parts, panel] {
+    parts.askToRead("comparisonDialog", WindowParts::tr("Compare with an earlier calibration"),
+                    WindowParts::tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json *.xml)"),
+                    [panel](const QString& path) { panel->compareWith(path); });
   });
-  QObject::connect(panel, &VerifyPanel::oldCalibrationWanted, &parts.wires, [ask] {
-    ask("oldCalibrationDialog", WindowParts::tr("Check an old calibration"),
-        WindowParts::tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"),
-        [](VerifyPanel& of, const QString& path) { of.checkOldCalibration(path); });
+  QObject::connect(panel, &VerifyPanel::oldCalibrationWanted, &parts.wires, [&parts, panel] {
+    parts.askToRead("oldCalibrationDialog", WindowParts::tr("Check an old calibration"),
+                    WindowParts::tr("Calibrations and sessions (*.calibration.json *.hexo *.session.json)"),
+                    [panel](const QString& path) { panel->checkOldCalibration(path); });
   });
   connectResults(parts, verification);
   QObject::connect(&controller, &SessionController::reconstructionChanged, &verification,

@@ -33,9 +33,6 @@ struct ReportTitle {
   QString made_by;
   QString notes;
 
-  [[nodiscard]] bool isEmpty() const {
-    return robot.isEmpty() && part.isEmpty() && made_by.isEmpty() && notes.isEmpty();
-  }
   friend bool operator==(const ReportTitle&, const ReportTitle&) = default;
 };
 

@@ -18,10 +18,10 @@ LiveSession::LiveSession(SessionController& controller) : controller_(controller
   connect(&source_, &LiveSource::poseCaptured, this, [this](const CapturedPose& captured) {
     if (isLive()) course_.take(captured);
   });
-  connect(&source_, &LiveSource::failed, this, &LiveSession::failed);
+  connect(&source_, &LiveSource::failed, &controller_, &SessionController::failed);
   connect(&source_, &LiveSource::statusChanged, this, [this] {
     course_.setSending(source_.status().state == SourceState::Streaming);
-    emit changed();
+    emit controller_.changed();
   });
   connect(&source_, &LiveSource::commandAnswered, this,
           [this](const CommandOutcome& outcome) { course_.setOutcome(outcome); });
@@ -88,21 +88,21 @@ void LiveSession::showSkin(const SkinDescription& skin) {
 bool LiveSession::join(const SkinDescription& skin) {
   if (!controller_.file().isKept()) return false;
   if (!course_.join(*controller_.session(), skin)) {
-    emit failed(
+    emit controller_.failed(
         tr("%1 has other cells than the session %2, so nothing was added. Connect it with a session of its own.")
             .arg(words(skin.device), controller_.file().name()));
     return false;
   }
   demo_ = false;
   noteResult();
-  emit changed();
+  emit controller_.changed();
   return true;
 }
 
 bool LiveSession::begin(const SkinDescription& skin) {
   SessionFile& file = controller_.file();
   if (file.hasUnsavedChanges() && controller_.submittedRevision() != request_revision_) {
-    emit failed(
+    emit controller_.failed(
         tr("The session that is open was changed while the skin was being connected, so it stays. Save it, and "
            "connect again."));
     return false;
@@ -118,7 +118,7 @@ bool LiveSession::begin(const SkinDescription& skin) {
   }
   course_.begin(*controller_.session(), skin);
   demo_ = request.demo;
-  emit changed();
+  emit controller_.changed();
   return true;
 }
 
@@ -144,11 +144,12 @@ void LiveSession::onWorkflowEvent(const WorkflowEvent& event) {
   } else if (const auto* lost = std::get_if<PoseLost>(&event)) {
     emit poseLost(lost->pose);
   } else if (const auto* renewed = std::get_if<FileRenewed>(&event)) {
-    emit noticed(words(renewed->what));
+    emit controller_.noticed(words(renewed->what));
   } else if (const auto* skin = std::get_if<SkinChanged>(&event)) {
-    emit noticed(skin->other_model  ? tr("The device says that it has another cell model; the poses stay.")
-                 : skin->on_joining ? tr("The links are others than those of the session; the poses stay.")
-                                    : tr("The device says that its cells or links have changed; the poses stay."));
+    emit controller_.noticed(skin->other_model ? tr("The device says that it has another cell model; the poses stay.")
+                             : skin->on_joining
+                                 ? tr("The links are others than those of the session; the poses stay.")
+                                 : tr("The device says that its cells or links have changed; the poses stay."));
   } else if (const auto* wanted = std::get_if<AdviceWanted>(&event)) {
     advise(wanted->question);
   } else if (std::holds_alternative<AdviceChanged>(event)) {
@@ -156,17 +157,17 @@ void LiveSession::onWorkflowEvent(const WorkflowEvent& event) {
   } else if (const auto* refused = std::get_if<TurnRefused>(&event)) {
     announce(*refused);
   } else if (std::holds_alternative<WorkflowFinished>(event)) {
-    emit changed();
+    emit controller_.changed();
   }
 }
 
 void LiveSession::announce(const TurnRefused& refused) {
   const QString why = words(refused.why);
-  emit noticed(refused.gave_up
-                   ? tr("The device refused to turn %1 times, so it is not asked any more. The last time: %2")
-                         .arg(QString::number(refused.times), why)
-                   : tr("The device does not turn there: %1. The next best pose is advised instead.").arg(why));
-  if (refused.gave_up) emit changed();
+  emit controller_.noticed(
+      refused.gave_up ? tr("The device refused to turn %1 times, so it is not asked any more. The last time: %2")
+                            .arg(QString::number(refused.times), why)
+                      : tr("The device does not turn there: %1. The next best pose is advised instead.").arg(why));
+  if (refused.gave_up) emit controller_.changed();
 }
 
 void LiveSession::advise(const AdviceQuestion& question) {
@@ -186,14 +187,14 @@ void LiveSession::turnTo(const Eigen::Vector3d& up_o) {
   if (!isLive()) return;
   const bool was_on = isRobotOn();
   course_.turnTo(up_o);
-  if (was_on) emit changed();
+  if (was_on) emit controller_.changed();
 }
 
 void LiveSession::startRobot(bool on, std::size_t poses) {
   on = on && canTurn();
   if (on) setAutomatic(true);
   course_.setRobot(on, poses);
-  emit changed();
+  emit controller_.changed();
 }
 
 void LiveSession::announce(const PoseKept& kept) {
@@ -230,21 +231,21 @@ void LiveSession::captureNow() {
 void LiveSession::setAutomatic(bool automatic) {
   automatic_ = automatic;
   source_.setAutomatic(automatic);
-  emit changed();
+  emit controller_.changed();
 }
 
 void LiveSession::recapturePose(std::size_t index) {
   if (!isLive() || index >= controller_.session()->poses().size()) return;
   course_.recapture(controller_.session()->poses()[index].capture->id);
   source_.setEarlierPoses(earlierPoses());
-  emit changed();
+  emit controller_.changed();
 }
 
 void LiveSession::cancelRecapture() {
   if (!course_.recapturing()) return;
   course_.cancelRecapture();
   if (isLive()) source_.setEarlierPoses(earlierPoses());
-  emit changed();
+  emit controller_.changed();
 }
 
 void LiveSession::lightCell(std::optional<CellId> cell) {
@@ -252,7 +253,51 @@ void LiveSession::lightCell(std::optional<CellId> cell) {
   if (lit_) source_.send(SetLed{*lit_, 0, 0, 0});
   if (cell) source_.send(SetLed{*cell, 255, 255, 255});
   lit_ = cell;
-  emit changed();
+  emit controller_.changed();
+}
+
+LiveMode::LiveMode(SessionController& controller)
+    : controller_(controller), worker_([this](ReconstructionOutcome outcome) {
+        QMetaObject::invokeMethod(
+            this, [this, outcome = std::move(outcome)] { receive(outcome); }, Qt::QueuedConnection);
+      }) {}
+
+void LiveMode::setOn(bool on) {
+  on = on && controller_.liveSession().isLive();
+  if (is_on_ == on) return;
+  is_on_ = on;
+  fails_ = false;
+  emit toggled(on);
+}
+
+void LiveMode::solve() {
+  const std::vector<CellSample>& means = controller_.liveSession().source().preview().means;
+  if (!is_on_ || !controller_.session() || means.empty()) return;
+  auto moment = std::make_shared<SessionSnapshot>(*controller_.session()->snapshot());
+  auto capture = std::make_shared<PoseCapture>();
+  capture->id = PoseId(1);
+  capture->label = message("now");
+  for (const CellSample& mean : means) {
+    GravitySample sample;
+    sample.cell = mean.cell;
+    sample.mean_g = mean.acceleration_g;
+    capture->samples.push_back(sample);
+  }
+  moment->poses = {{std::move(capture), false, {}}};
+  SolverOptions options = controller_.solverOptions();
+  options.solver = Solver::Tree;  // the paper's self-refreshing test; quick enough for every preview
+  worker_.submit(std::move(moment), options);
+}
+
+void LiveMode::receive(const ReconstructionOutcome& outcome) {
+  if (!is_on_) return;
+  if (outcome.reconstruction) {
+    fails_ = false;
+    emit momentSolved(outcome.reconstruction);
+  } else if (!std::exchange(fails_, true)) {
+    emit controller_.noticed(
+        tr("What is shown stands still: the skin as it is now can't be solved. %1").arg(words(outcome.error)));
+  }
 }
 
 }  // namespace hexoderm

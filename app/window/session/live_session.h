@@ -3,9 +3,11 @@
 #include "app/window/session/live_source.h"
 #include "hexoderm/base/latest_worker.h"
 #include "hexoderm/capture/capture_workflow.h"
+#include "hexoderm/solve/reconstruction_worker.h"
 
 #include <QObject>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace hexoderm {
@@ -91,9 +93,6 @@ class LiveSession : public QObject, private CaptureOwner {
   void letRobotTake(std::size_t poses) { startRobot(true, poses); }
 
  signals:
-  void changed();
-  void failed(const QString& message);
-  void noticed(const QString& text);
   /// A pose is in the session and is being written; it is not captured yet.
   void poseTaken(const hexoderm::CapturedPose& captured);
   /// A pose is captured: it is on disk, or the operator knows that nothing is.
@@ -133,6 +132,42 @@ class LiveSession : public QObject, private CaptureOwner {
   std::optional<CellId> lit_;
   LiveSource source_;
   LatestWorker adviser_;  // last: its thread has ended before what it reports to goes
+};
+
+/// The skin as its readings of this moment alone show it, instead of the session's result.
+class LiveMode : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `controller` outlives this object.
+  explicit LiveMode(SessionController& controller);
+
+  [[nodiscard]] bool isOn() const { return is_on_; }
+
+  // For the other parts of the session.
+
+  /// Solves the newest readings.
+  void solve();
+  /// Gives up what waits to be solved.
+  void cancel() { worker_.cancel(); }
+
+ public slots:
+  /// Stays off where no skin is connected.
+  void setOn(bool on);
+
+ signals:
+  /// After it ends, the result that was not shown meanwhile is still the same.
+  void toggled(bool on);
+  /// Every moment that was solved.
+  void momentSolved(std::shared_ptr<const hexoderm::Reconstruction> reconstruction);
+
+ private:
+  void receive(const ReconstructionOutcome& outcome);
+
+  SessionController& controller_;
+  bool is_on_ = false;
+  bool fails_ = false;           ///< told once
+  ReconstructionWorker worker_;  // last: its thread has ended before what it reports to goes
 };
 
 }  // namespace hexoderm

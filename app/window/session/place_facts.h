@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/window/session/hand_place.h"
 #include "app/window/session/placing.h"
 #include "app/window/session/session_controller.h"
 #include "hexoderm/base/se3.h"
+#include "hexoderm/mounting/place/by_hand.h"
 #include "hexoderm/mounting/place/place.h"
 #include "hexoderm/solve/result/patch_placements.h"
 #include "widgets/tables/joint_table.h"
@@ -17,6 +17,76 @@
 
 namespace hexoderm {
 
+/// Where a patch was put by hand, for the fit to begin there.
+struct PutPlace {
+  CellId origin;
+  std::string link;
+  SE3 T_l_o;
+};
+
+/// The patch that the operator has in the hand: from gripping it until it is laid or left alone.
+class HandPlace {
+ public:
+  /// On which link and by what it is moved.
+  struct Where {
+    std::shared_ptr<const LoadedRobot> robot;
+    std::size_t link = 0;
+    std::shared_ptr<const Reconstruction> solved;
+    std::shared_ptr<const LinksResult> links;
+    CellId origin;
+    friend bool operator==(const Where&, const Where&) = default;
+  };
+
+  /// Whether it was got ready for this patch on this link, and nothing that it is moved by has changed since.
+  [[nodiscard]] bool isReadyFor(const Where& where) const { return by_hand_ && where_ == where; }
+  /// Throws InvalidArgument where the link has no surface.
+  void getReady(const Where& where, const PatchToPlace& patch, double thickness_m) {
+    by_hand_.reset();
+    by_hand_.emplace((*where.robot->bodies)[where.link], patch, thickness_m);
+    where_ = where;
+  }
+
+  /// Once it is ready: takes the patch from its place, or from none.
+  void take(const std::optional<SE3>& T_l_o) {
+    held_ = Held{T_l_o ? *T_l_o : by_hand_->somewhere()};
+    held_->moved = !T_l_o;
+  }
+
+  [[nodiscard]] bool isHeld() const { return held_.has_value(); }
+  [[nodiscard]] CellId origin() const { return where_.origin; }
+
+  // Of a patch that is held.
+
+  [[nodiscard]] PutPlace place() const {
+    return {where_.origin, where_.robot->model.links()[where_.link].name, held_->T_l_o};
+  }
+
+  [[nodiscard]] bool isMoved() const { return held_->moved; }
+  [[nodiscard]] std::optional<Message> objection() const { return by_hand_->objection(held_->T_l_o); }
+  /// From here on pullTo() pulls at this point of the patch, which is given in the link's frame.
+  void grip(const Eigen::Vector3d& x_l) { held_->grip_o = held_->T_l_o.inverse() * x_l; }
+  void pullTo(const Eigen::Vector3d& x_l) { moveTo(by_hand_->pulled(held_->T_l_o, held_->grip_o, x_l)); }
+  void slide(const Eigen::Vector3d& way_l) { moveTo(by_hand_->slid(held_->T_l_o, way_l)); }
+  void turn(double angle_rad) { moveTo(by_hand_->turned(held_->T_l_o, angle_rad)); }
+
+  void letGo() { held_.reset(); }
+
+ private:
+  struct Held {
+    SE3 T_l_o;
+    Eigen::Vector3d grip_o = Eigen::Vector3d::Zero();
+    bool moved = false;
+  };
+  void moveTo(const SE3& T_l_o) {
+    held_->T_l_o = T_l_o;
+    held_->moved = true;
+  }
+
+  Where where_;
+  std::optional<PatchByHand> by_hand_;  ///< kept: getting a link's surface ready takes its time
+  std::optional<Held> held_;
+};
+
 /// Whether two places of a patch can't be told apart: 0.1 mm and 0.06 degrees.
 [[nodiscard]] inline bool isSamePlace(const PatchOnLink& a, const PatchOnLink& b) {
   constexpr double kSame_m = 1e-4;
@@ -24,6 +94,16 @@ namespace hexoderm {
   return a.link == b.link && (a.T_l_o.t - b.T_l_o.t).norm() < kSame_m &&
          rotationAngle(a.T_l_o.R.transpose() * b.T_l_o.R) < kSame_rad;
 }
+
+/// What went wrong in the step "Place on the robot", each where it is shown; empty: nothing did.
+struct PlaceFaults {
+  QString robot;
+  QString joints;
+  QString links;
+  QString places;
+  QString known;          ///< of points and distances
+  QString places_remark;  ///< no fault: what was left out of the fit
+};
 
 /// What is known of the patches on the robot while the step "Place on the robot" is worked on: what was read and found,
 /// beside what the session says was decided; and of which patch and pose the step speaks. The questions change nothing.
@@ -40,7 +120,8 @@ struct PlaceFacts {
   quint32 pose = 0;                           ///< in which the robot is drawn
   int preview = -1;                           ///< the row of the place that is pointed at
   std::optional<PutPlace> put;                ///< where a patch was put by hand; the fit begins there too
-  bool lays = false;                          ///< what the fit makes of where it was put becomes its place
+  PlaceFaults faults;
+  bool lays = false;  ///< what the fit makes of where it was put becomes its place
 
   /// The patch that the step is about; null: there is none.
   [[nodiscard]] const PatchReconstruction* patch() const { return patchOf(spoken_of); }

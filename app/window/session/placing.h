@@ -97,7 +97,6 @@ class Placing : public QObject {
 
  private:
   using Announcement = NewestRequests<PlaceWork>::Announcement;
-  static constexpr std::size_t kKinds = 4;
 
   /// A mesh that can't be read is said, and leaves its link without a body: the other links are of use all the same.
   static TriangleMesh bodyOrFinding(const RobotModel& robot, std::size_t link, std::vector<VerifySentence>& findings) {
@@ -137,7 +136,7 @@ class Placing : public QObject {
         LoadedRobot{std::move(read), std::move(model), std::move(bodies), std::move(findings)});
   }
 
-  NewestRequests<PlaceWork> requests_{*this, kKinds,
+  NewestRequests<PlaceWork> requests_{*this,
                                       [this](PlaceWork work, bool running) { emit runningChanged(work, running); },
                                       [this](PlaceWork work, const QString& message) { emit failed(work, message); }};
 };

@@ -97,7 +97,7 @@ void SessionFile::nameCalibration(const QString& path) {
 
 void SessionFile::openFile(const QString& path) {
   if (journal_ && isSameFile(path, journal_->path())) {
-    emit noticed(tr("%1 is open already.").arg(journal_->path()));
+    emit controller_.noticed(tr("%1 is open already.").arg(journal_->path()));
     return;
   }
   const std::uint64_t ticket = ++asked_count_;
@@ -121,10 +121,10 @@ void SessionFile::openFile(const QString& path) {
       }
       if (opened_file->store) {
         journal_ = std::make_unique<SessionJournal>(*this, work_.jobs(), path, std::move(*opened_file->store), told());
-        emit changed();
+        emit controller_.changed();
       } else if (!opened_file->remark.empty()) {
-        emit noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
-                         .arg(words(opened_file->remark)));
+        emit controller_.noticed(tr("Changes will not be kept in this file; save the session under another name. %1")
+                                     .arg(words(opened_file->remark)));
       }
     };
   });
@@ -231,17 +231,15 @@ void SessionFile::append(const SessionEdit& edit) {
     written = [this, id = add->pose.capture->id](const StoreOutcome& outcome) { emit poseStored(id, outcome); };
   }
   journal_->append(edit, std::move(written));
-  emit changed();
+  emit controller_.changed();
 }
-
-void SessionFile::keepIn(const QString& path) { beginJournal(path); }
 
 void SessionFile::keepInScratch(const QString& name) {
   scratch_path_ = newScratchPath(name);
-  beginJournal(scratch_path_);
+  keepIn(scratch_path_);
 }
 
-void SessionFile::beginJournal(const QString& path) {
+void SessionFile::keepIn(const QString& path) {
   const auto first = std::make_shared<const Session>(*controller_.session());
   SessionRecorder::Open open = [path = toPath(path), first] { return SessionStore::create(path, *first); };
   const auto opened = [this, first](const StoreOutcome& outcome) {
@@ -271,10 +269,10 @@ SessionJournal::Told SessionFile::told() {
         // The session can go on without a file.
         scratch_fails_ = true;
         dropJournal();
-        emit noticed(tr("Until it is saved, this session is kept in memory only. %1").arg(why));
+        emit controller_.noticed(tr("Until it is saved, this session is kept in memory only. %1").arg(why));
         emit keptInMemoryOnly();
       }
-      emit changed();
+      emit controller_.changed();
       return;
     }
     if (why.isEmpty()) {
@@ -284,9 +282,9 @@ SessionJournal::Told SessionFile::told() {
       was_stuck_ = true;
       emit journalStuck(why);
     } else {
-      emit failed(why);
+      emit controller_.failed(why);
     }
-    emit changed();
+    emit controller_.changed();
   };
 }
 

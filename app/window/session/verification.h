@@ -275,9 +275,8 @@ class Verification : public QObject {
   std::optional<std::size_t> newest_poses_;
   VerifyOutcome outcome_;
 
-  static constexpr std::size_t kChecks = 5;
   NewestRequests<VerifyCheck> requests_{
-      *this, kChecks, [this](VerifyCheck check, bool running) { emit runningChanged(check, running); },
+      *this, [this](VerifyCheck check, bool running) { emit runningChanged(check, running); },
       [this](VerifyCheck check, const QString& why) { emit failed(check, why); }};
 };
 

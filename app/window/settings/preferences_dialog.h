@@ -3,7 +3,7 @@
 #include "app/window/settings/preferences.h"
 #include "app/window/settings/theme.h"
 #include "app/window/settings/translation.h"
-#include "app/window/toolkit/file_dialog.h"
+#include "app/window/toolkit/dialogs.h"
 #include "hexoderm/base/units.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
@@ -55,8 +55,8 @@ class PreferencesDialog : public QDialog {
 
     auto* note = styledAs(new QLabel(tr("Changes act at once, except where it says otherwise.")), "muted");
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-    QPushButton* defaults = buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole);
-    defaults->setObjectName(QStringLiteral("preferencesDefaults"));
+    QPushButton* defaults =
+        named(buttons->addButton(tr("Restore defaults"), QDialogButtonBox::ResetRole), "preferencesDefaults");
     defaults->setToolTip(tr("All preferences on all pages become as they were at the first start"));
     defaults->setAutoDefault(false);
     connect(defaults, &QPushButton::clicked, this, [this] {
@@ -98,13 +98,12 @@ class PreferencesDialog : public QDialog {
     form->addRow(label);
     return label;
   }
-  static void addWhy(QFormLayout* form, const QString& why) { addText(form, why, 8); }
 
   static void addRow(QFormLayout* form, const QString& text, QWidget* control, const QString& why) {
     control->setAccessibleName(QString(text).remove(QLatin1Char('&')));
     control->setAccessibleDescription(why);
     form->addRow(labelFor(control, text), control);
-    addWhy(form, why);
+    addText(form, why, 8);
   }
 
   /// A page scrolls where the screen is smaller than it. It has its place in the dialog before anything is put into it:
@@ -242,18 +241,20 @@ class PreferencesDialog : public QDialog {
     folder->setAccessibleName(tr("Folder for sessions"));
     folder->setAccessibleDescription(why);
     form->addRow(labelFor(folder, tr("&Folder for sessions")), field);
-    addWhy(form, why);
+    addText(form, why, 8);
     addText(form, tr("A session that was not saved anywhere is kept beside the program's own data, and offered "
                      "at the next start."));
     show_.emplace_back([this, folder] { folder->setText(QDir::toNativeSeparators(preferences_.sessionFolder())); });
     connect(folder, &QLineEdit::editingFinished, this,
             [this, folder] { preferences_.setSessionFolder(QDir::fromNativeSeparators(folder->text().trimmed())); });
     connect(browse, &QPushButton::clicked, this, [this, folder] {
-      askForFolder(this, "preferenceFolderDialog", tr("Folder for sessions"), folder->text(), this,
-                   [this, folder](const QString& path) {
-                     folder->setText(QDir::toNativeSeparators(path));
-                     preferences_.setSessionFolder(path);
-                   });
+      askForFile(
+          this, "preferenceFolderDialog", tr("Folder for sessions"), folder->text(), {}, this,
+          [this, folder](const QString& path) {
+            folder->setText(QDir::toNativeSeparators(path));
+            preferences_.setSessionFolder(path);
+          },
+          QFileDialog::Directory);
     });
   }
 
@@ -282,7 +283,7 @@ class PreferencesDialog : public QDialog {
     auto* box = named(new QCheckBox(label), name);
     box->setAccessibleDescription(why);
     form->addRow(box);
-    addWhy(form, why);
+    addText(form, why, 8);
     show_.emplace_back([this, box, which] { box->setChecked(preferences_.isOn(which)); });
     connect(box, &QCheckBox::clicked, this, [this, which](bool on) { preferences_.set(which, on); });
     return box;

@@ -1,7 +1,5 @@
 #include "app/window/settings/theme.h"
 
-#include "widgets/style/of_enum.h"
-
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QEvent>

@@ -1,7 +1,5 @@
 #include "app/window/settings/translation.h"
 
-#include "widgets/words/words.h"
-
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>

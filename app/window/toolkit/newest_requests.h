@@ -1,16 +1,17 @@
 #pragma once
 
+#include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/latest_worker.h"
 #include "widgets/words/words.h"
 
 #include <QMetaObject>
 #include <QObject>
+#include <array>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <stop_token>
 #include <utility>
-#include <vector>
 
 namespace hexoderm {
 
@@ -25,13 +26,12 @@ class NewestRequests {
 
   /// Announcements, `running_changed` and `failed`, which an exception of the work leads to, are called on the thread
   /// of `context`, which outlives this object.
-  NewestRequests(QObject& context, std::size_t kinds, std::function<void(Kind, bool)> running_changed,
+  NewestRequests(QObject& context, std::function<void(Kind, bool)> running_changed,
                  std::function<void(Kind, const QString&)> failed)
       : context_(context),
         running_changed_(std::move(running_changed)),
         failed_(std::move(failed)),
-        states_(kinds),
-        worker_(kinds) {}
+        worker_(states_.size()) {}
 
   void request(Kind kind, Work work) {
     const auto slot = static_cast<std::size_t>(kind);
@@ -77,7 +77,7 @@ class NewestRequests {
   QObject& context_;
   std::function<void(Kind, bool)> running_changed_;
   std::function<void(Kind, const QString&)> failed_;
-  std::vector<State> states_;
+  std::array<State, enumeratorCount<Kind>()> states_;
   LatestWorker worker_;  // a mailbox per kind; last: it has ended before anything that it uses is destroyed
 };
 

@@ -19,8 +19,8 @@ class StatusBar : public QStatusBar {
     for (QLabel* part : {source_, losses_, cells_, solve_}) addWidget(part);
     for (QLabel* part : {said_, saved_}) addPermanentWidget(part);
     for (QLabel* part : {losses_, cells_, solve_, said_}) part->hide();
-    said_timer_.setSingleShot(true);
-    connect(&said_timer_, &QTimer::timeout, said_, &QWidget::hide);
+    constexpr int kShown_ms = 6000;
+    setUpOnce(said_timer_, kShown_ms, said_, &QWidget::hide);
   }
 
   /// Where the readings come from.
@@ -35,18 +35,11 @@ class StatusBar : public QStatusBar {
   void setSaved(const QString& text) { showIn(saved_, text, {}); }
   /// Shown for a few seconds.
   void say(const QString& text) {
-    constexpr int kShown_ms = 6000;
     showIn(said_, text, {});
-    said_timer_.start(kShown_ms);
+    said_timer_.start();
   }
 
  private:
-  /// A long address or message ends in dots instead of widening the window.
-  static QLabel* makePart(const char* object_name) {
-    auto* part = named(new ElidedLabel, object_name);
-    return part;
-  }
-
   static void showIn(QLabel* part, const QString& text, const QString& tool_tip) {
     // Setting what is there already would lay the bar out anew, and tell whoever listens to tool tips.
     if (part->text() != text) part->setText(text);
@@ -54,12 +47,13 @@ class StatusBar : public QStatusBar {
     if (part->isHidden() != text.isEmpty()) part->setVisible(!text.isEmpty());
   }
 
-  QLabel* source_ = makePart("sourceStatus");
-  QLabel* losses_ = makePart("lossesStatus");
-  QLabel* cells_ = makePart("cellsStatus");
-  QLabel* solve_ = makePart("solveStatus");
-  QLabel* said_ = makePart("saidStatus");
-  QLabel* saved_ = makePart("savedStatus");
+  // A long address or message ends in dots instead of widening the window.
+  QLabel* source_ = named(new ElidedLabel, "sourceStatus");
+  QLabel* losses_ = named(new ElidedLabel, "lossesStatus");
+  QLabel* cells_ = named(new ElidedLabel, "cellsStatus");
+  QLabel* solve_ = named(new ElidedLabel, "solveStatus");
+  QLabel* said_ = named(new ElidedLabel, "saidStatus");
+  QLabel* saved_ = named(new ElidedLabel, "savedStatus");
   QTimer said_timer_;
 };
 

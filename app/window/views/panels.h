@@ -52,10 +52,8 @@ class Panels : public QMainWindow {
     coverage_ = new CardDock(tr("Directions seen"), QStringLiteral("coverageDock"), views.coverage, this);
     plot_ = new CardDock(tr("Plot"), QStringLiteral("plotDock"), views.plot, this);
     details_ = makeDetails(views);
-    middle_mark_ = new ViewMark(middle_);
-    middle_mark_->setObjectName(QStringLiteral("middleMark"));
-    side_mark_ = new ViewMark(graph_->widget());
-    side_mark_->setObjectName(QStringLiteral("sideMark"));
+    middle_mark_ = named(new ViewMark(middle_), "middleMark");
+    side_mark_ = named(new ViewMark(graph_->widget()), "sideMark");
     placeMarks();
     if (QSettings().value(kSwapped, false).toBool()) exchangeViews();
     connect(views.steps, &StepPanel::opened, this,
@@ -187,8 +185,7 @@ class Panels : public QMainWindow {
     auto* layout = spaced(new QVBoxLayout(card), {1, 1, 1, 1});
     layout->addWidget(stack);
     auto* checks_card = styledAs(new QFrame, "card");
-    checks_ = new QScrollArea;
-    checks_->setObjectName(QStringLiteral("checksArea"));
+    checks_ = named(new QScrollArea, "checksArea");
     scrollPlainly(checks_);
     checks_->setWidget(views.verify_panel);
     auto* checks_layout = spaced(new QVBoxLayout(checks_card), {1, 1, 1, 1});

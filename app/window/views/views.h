@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/window/files/recent_sessions.h"
+#include "app/window/files/recovery.h"
 #include "app/window/guide/actions.h"
 #include "app/window/guide/guide.h"
 #include "app/window/guide/welcome_panel.h"

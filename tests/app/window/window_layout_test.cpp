@@ -83,7 +83,7 @@ TEST_F(WindowLayoutTest, VerifyHasTheWidthOfTheWindowWhileItIsOpen) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
   find<QDockWidget>("coverageDock")->close();
   const auto before = places();
-  const QWidget* panel = window_->verifyPanel();
+  const QWidget* panel = window_->findChild<VerifyPanel*>();
   EXPECT_FALSE(panel->isVisible());
   openStep(GuideStep::Verify);
   test::letTurnsPass();

@@ -33,7 +33,8 @@ class WindowPlaceTest : public KeyboardTest {
     writeFileAtomically(pathTo("arm.csv").toStdString(), jointAnglesCsv(angles_, robot_->robot()));
   }
 
-  PlacePanel& panel() { return *window_->placePanel(); }
+  PlacePanel& panel() { return *window_->findChild<PlacePanel*>(); }
+  RobotView* robotView() { return window_->findChild<RobotView*>(); }
   const PlaceStand& stand() { return panel().stand(); }
   bool waitForWork() {
     static constexpr std::array kWorks = {PlaceWork::Robot, PlaceWork::Joints, PlaceWork::Links, PlaceWork::Places};

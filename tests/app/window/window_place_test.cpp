@@ -13,14 +13,14 @@ TEST_F(WindowPlaceTest, TwoPatchesArePlacedByTheKeyboardAndOnToTheRobotsUrdfWith
   ASSERT_TRUE(waitForPoses(8));
   key(Qt::Key_6, Qt::ControlModifier);
   ASSERT_TRUE(waitUntil([this] { return panel().isVisible(); }));
-  EXPECT_FALSE(window_->robotView()->isVisible());
+  EXPECT_FALSE(robotView()->isVisible());
   EXPECT_FALSE(find<QPushButton>("placeChooseJoints")->isEnabled()) << "the robot comes first";
   ASSERT_NO_FATAL_FAILURE(tabTo("placeChooseRobot"));
   key(Qt::Key_Space);
   ASSERT_NO_FATAL_FAILURE(typeIntoFileDialog("robotDialog", HEXODERM_DEMO_ROBOT));
   ASSERT_NO_FATAL_FAILURE(comeBack());
   ASSERT_TRUE(waitForWork());
-  EXPECT_TRUE(window_->robotView()->isVisible()) << "it takes the place of the patch";
+  EXPECT_TRUE(robotView()->isVisible()) << "it takes the place of the patch";
   EXPECT_THAT(stand().joints.text.toStdString(), HasSubstr("No pose has joint angles"));
   ASSERT_NO_FATAL_FAILURE(tabTo("placeChooseJoints"));
   key(Qt::Key_Space);
@@ -56,7 +56,7 @@ TEST_F(WindowPlaceTest, TwoPatchesArePlacedByTheKeyboardAndOnToTheRobotsUrdfWith
     }
     ASSERT_FALSE(stand().places.isEmpty()) << stand().place_says.text.toStdString();
     // It is shown before it is chosen.
-    const auto& drawn = window_->robotView()->picture().patches;
+    const auto& drawn = robotView()->picture().patches;
     EXPECT_TRUE(std::ranges::any_of(drawn, &RobotPicture::Patch::is_proposal));
     ASSERT_NO_FATAL_FAILURE(tabTo("placePlaceList"));
     key(Qt::Key_Home);
@@ -65,14 +65,14 @@ TEST_F(WindowPlaceTest, TwoPatchesArePlacedByTheKeyboardAndOnToTheRobotsUrdfWith
     ASSERT_TRUE(waitForWork());
   }
   ASSERT_NO_FATAL_FAILURE(expectPlacedWell());
-  EXPECT_TRUE(std::ranges::none_of(window_->robotView()->picture().patches, &RobotPicture::Patch::is_proposal));
+  EXPECT_TRUE(std::ranges::none_of(robotView()->picture().patches, &RobotPicture::Patch::is_proposal));
 
   // The robot is turned by keys too.
-  if (window_->robotView()->canDraw()) {
-    const QImage before = window_->robotView()->screenshot();
+  if (robotView()->canDraw()) {
+    const QImage before = robotView()->screenshot();
     ASSERT_NO_FATAL_FAILURE(tabTo("robotView"));
     key(Qt::Key_Left);
-    EXPECT_NE(window_->robotView()->screenshot(), before);
+    EXPECT_NE(robotView()->screenshot(), before);
   }
   key(Qt::Key_E, Qt::ControlModifier);
   auto* dialog = waitForDialog("exportDialog");
@@ -105,7 +105,7 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
   EXPECT_TRUE(waitUntil([this] { return controller().session()->poses()[0].joint_angles.positions.empty(); }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(waitUntil([this] { return !stand().has_robot; }));
-  EXPECT_FALSE(window_->robotView()->isVisible());
+  EXPECT_FALSE(robotView()->isVisible());
   for (int k = 0; k < 5; ++k) press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(waitForWork());
   EXPECT_TRUE(stand().is_placed);
@@ -131,15 +131,15 @@ TEST_F(WindowPlaceTest, EveryDecisionCanBeUndoneAndIsKept) {
 
 TEST_F(WindowPlaceTest, BeforeTheExportTheCellsAreLookedAtWithTheirNumbers) {
   ASSERT_NO_FATAL_FAILURE(openPlaced());
-  const bool draws = window_->robotView()->canDraw();
-  window_->robotView()->fit();
-  const QImage whole = draws ? window_->robotView()->screenshot() : QImage();
+  const bool draws = robotView()->canDraw();
+  robotView()->fit();
+  const QImage whole = draws ? robotView()->screenshot() : QImage();
   openStep(GuideStep::Export);
-  ASSERT_TRUE(waitUntil([this] { return window_->robotView()->isVisible(); }));
-  EXPECT_EQ(window_->robotView()->picture().patches.size(), 1U);
-  EXPECT_FALSE(window_->robotView()->picture().movable) << "nothing is moved here";
+  ASSERT_TRUE(waitUntil([this] { return robotView()->isVisible(); }));
+  EXPECT_EQ(robotView()->picture().patches.size(), 1U);
+  EXPECT_FALSE(robotView()->picture().movable) << "nothing is moved here";
   if (draws) {
-    EXPECT_NE(window_->robotView()->screenshot(), whole) << "the camera goes up to the skin";
+    EXPECT_NE(robotView()->screenshot(), whole) << "the camera goes up to the skin";
   }
   keepPicture(window_->picture(), "place-before-export-light");
 }
@@ -149,7 +149,7 @@ TEST_F(WindowPlaceTest, TheDemoBeginsAtTheStepWithItsRobot) {
   ASSERT_TRUE(waitUntil([this] { return controller().session() && controller().session()->robot(); }));
   ASSERT_TRUE(waitForWork());
   EXPECT_EQ(window_->findChild<StepPanel*>()->openIndex(), static_cast<int>(GuideStep::Place));
-  EXPECT_TRUE(window_->robotView()->isVisible());
+  EXPECT_TRUE(robotView()->isVisible());
   EXPECT_EQ(stand().patches.size(), 2U);
   EXPECT_FALSE(stand().link.isEmpty()) << stand().link_says.text.toStdString();
   EXPECT_FALSE(controller().file().hasUnsavedChanges());
@@ -167,8 +167,8 @@ TEST_F(WindowPlaceTest, ACalibrationShowsItsPlacesButDecidesNothing) {
   ASSERT_TRUE(waitForWork());
   EXPECT_THAT(stand().why_not.toStdString(), HasSubstr("A calibration is open"));
   EXPECT_FALSE(find<QPushButton>("placeChooseRobot")->isEnabled());
-  EXPECT_TRUE(window_->robotView()->isVisible());
-  EXPECT_TRUE(waitUntil([this] { return window_->robotView()->picture().patches.size() == 1; }));
+  EXPECT_TRUE(robotView()->isVisible());
+  EXPECT_TRUE(waitUntil([this] { return robotView()->picture().patches.size() == 1; }));
 }
 
 TEST_F(WindowPlaceTest, AnglesAreTypedAndPastedIntoTheTableOfPoses) {
@@ -340,7 +340,7 @@ TEST_F(WindowPlaceTest, AnotherLinkCanBeChosenAndIsSaidNotToFit) {
 
 TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
-  RobotView* view = window_->robotView();
+  RobotView* view = robotView();
   ASSERT_TRUE(view->canDraw()) << "no OpenGL";
   // The upper arm is a box with rounded edges, along which its patch can slide.
   if (mounted(CellId(stand().patch)).link != "upper_arm") {
@@ -418,18 +418,18 @@ TEST_F(WindowPlaceTest, ThePatchIsMovedByHandAndTheFitBeginsThere) {
 
 TEST_F(WindowPlaceTest, APointIsPickedOnTheRobotAndWaitsToBeAdded) {
   ASSERT_NO_FATAL_FAILURE(openWithRobot());
-  ASSERT_TRUE(window_->robotView()->canDraw()) << "no OpenGL";
+  ASSERT_TRUE(robotView()->canDraw()) << "no OpenGL";
   ASSERT_NO_FATAL_FAILURE(pressInPanel<QPushButton>("placePick"));
-  const RobotPicture& picture = window_->robotView()->picture();
+  const RobotPicture& picture = robotView()->picture();
   ASSERT_TRUE(picture.link);
-  emit window_->robotView()->pointPicked(*picture.link, Eigen::Vector3d(0.01, -0.02, 0.03));
+  emit robotView()->pointPicked(*picture.link, Eigen::Vector3d(0.01, -0.02, 0.03));
   EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("placePointX")->value(), 10);
   EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("placePointY")->value(), -20);
   EXPECT_DOUBLE_EQ(find<QDoubleSpinBox>("placePointZ")->value(), 30);
   EXPECT_FALSE(find<QPushButton>("placePick")->isChecked());
   EXPECT_TRUE(stand().known.points.empty()) << "nothing is decided by the picking";
   const std::size_t other = *picture.link == 0 ? 1 : 0;
-  emit window_->robotView()->pointPicked(other, Eigen::Vector3d::Zero());
+  emit robotView()->pointPicked(other, Eigen::Vector3d::Zero());
   EXPECT_THAT(stand().known_fault.toStdString(), HasSubstr("pick a point of that link"));
 }
 

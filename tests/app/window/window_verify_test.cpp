@@ -12,7 +12,7 @@ namespace {
 
 class WindowVerifyTest : public WindowTest {
  protected:
-  VerifyPanel& panel() { return *window_->verifyPanel(); }
+  VerifyPanel& panel() { return *window_->findChild<VerifyPanel*>(); }
   QString sentence(const char* section) { return labelText((std::string(section) + "Sentence").c_str()); }
   bool waitForSentence(const char* section, const QString& part) {
     const bool came = waitUntil([&] { return sentence(section).contains(part); });
