@@ -44,19 +44,8 @@ class CapturePanel : public QWidget {
     QAction* turn = nullptr;
   };
 
-  explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr)
-      : QWidget(parent),
-        columns_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
-        what_(paragraph("captureWhat", this)),
-        turn_(paragraph("captureTurn", this)),
-        why_(paragraph("captureWhy", this)),
-        sigma_(paragraph("captureSigma", this)),
-        ring_(new HoldRing(this)),
-        wait_(paragraph("captureWait", this)),
-        odd_(paragraph("captureOdd", this)),
-        remark_(paragraph("captureRemark", this)) {
+  explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr) : QWidget(parent) {
     setNames(this, QStringLiteral("capturePanel"), tr("Capturing poses"));
-    for (QLabel* label : {why_, sigma_, odd_}) label->setProperty("muted", true);
     setUpOnce(captured_timer_, kCapturedShown_ms, this, [this] {
       captured_.reset();
       refresh();
@@ -227,15 +216,15 @@ class CapturePanel : public QWidget {
     wait_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   }
 
-  QBoxLayout* columns_;
-  QLabel* what_;
-  QLabel* turn_;
-  QLabel* why_;
-  QLabel* sigma_;
-  HoldRing* ring_;
-  QLabel* wait_;
-  QLabel* odd_;
-  QLabel* remark_;
+  QBoxLayout* columns_ = new QBoxLayout(QBoxLayout::TopToBottom, this);
+  QLabel* what_ = paragraph("captureWhat", this);
+  QLabel* turn_ = paragraph("captureTurn", this);
+  QLabel* why_ = styledAs(paragraph("captureWhy", this), "muted");
+  QLabel* sigma_ = styledAs(paragraph("captureSigma", this), "muted");
+  HoldRing* ring_ = new HoldRing(this);
+  QLabel* wait_ = paragraph("captureWait", this);
+  QLabel* odd_ = styledAs(paragraph("captureOdd", this), "muted");
+  QLabel* remark_ = paragraph("captureRemark", this);
   QTimer captured_timer_;
   std::optional<SourceStatus> source_;
   HoldStatus hold_;

@@ -48,15 +48,7 @@ class GraphView : public QWidget {
 
  public:
   /// `selection` must outlive the view.
-  explicit GraphView(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent),
-        selection_(selection),
-        finder_(new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this)),
-        button_(new GraphColoringButton(this)),
-        draw_soon_(kDrawAfter_ms, [this] {
-          static_cast<void>(currentSheet());
-          update();
-        }) {
+  explicit GraphView(Selection* selection, QWidget* parent = nullptr) : QWidget(parent), selection_(selection) {
     setObjectName(QStringLiteral("graphView"));
     setAccessibleName(tr("Skin graph"));
     setFocusPolicy(Qt::StrongFocus);
@@ -491,8 +483,8 @@ class GraphView : public QWidget {
   std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
   const ScaleRanges* ranges_ = nullptr;
   QString awaited_;
-  FindCellField* finder_;
-  GraphColoringButton* button_;
+  FindCellField* finder_ = new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this);
+  GraphColoringButton* button_ = new GraphColoringButton(this);
   QList<QAction*> link_actions_;
   QList<QAction*> cell_actions_;
 
@@ -504,7 +496,10 @@ class GraphView : public QWidget {
   /// then the earlier picture is shown.
   QPixmap sheet_;
   bool is_sheet_current_ = false;
-  HeavyTurn draw_soon_;
+  HeavyTurn draw_soon_{kDrawAfter_ms, [this] {
+                         static_cast<void>(currentSheet());
+                         update();
+                       }};
 
   GraphHit hovered_;
   std::optional<QPoint> pressed_at_;

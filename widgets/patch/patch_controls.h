@@ -26,7 +26,7 @@ class PatchControls : public QFrame {
   Q_OBJECT
 
  public:
-  explicit PatchControls(QWidget* parent = nullptr) : QFrame(parent), buttons_(new FoldingRow(this)) {
+  explicit PatchControls(QWidget* parent = nullptr) : QFrame(parent) {
     const auto describe = [](QAction* action, const char* name, bool checkable, const QString& tip) {
       action->setObjectName(QLatin1String(name));
       action->setCheckable(checkable);
@@ -181,7 +181,7 @@ class PatchControls : public QFrame {
     menu->addActions({parallel_, cut_});
   }
 
-  FoldingRow* buttons_;
+  FoldingRow* buttons_ = new FoldingRow(this);
   QToolButton* coloring_button_ = nullptr;
   QToolButton* turn_button_ = nullptr;
   QMenu* coloring_menu_ = nullptr;

@@ -43,15 +43,7 @@ class PatchPointing : public QObject {
   /// `canvas` lies inside `view` and fills it; `render` asks for a picture soon. All but `canvas` must outlive this.
   PatchPointing(QWidget* view, SceneWidget* canvas, PatchScene& scene, Selection* selection,
                 std::function<void()> render)
-      : view_(view),
-        canvas_(canvas),
-        scene_(scene),
-        selection_(selection),
-        render_(std::move(render)),
-        marks_(new PatchMarks(view)),
-        hover_card_(new FigureCard(FigureCard::Kind::Passing, view)),
-        figure_card_(new FigureCard(FigureCard::Kind::Kept, view)),
-        escape_(new QShortcut(QKeySequence(Qt::Key_Escape), view)) {
+      : view_(view), canvas_(canvas), scene_(scene), selection_(selection), render_(std::move(render)) {
     figure_card_->setAccessibleName(tr("Figures of what is picked"));
     setUpOnce(look_soon_, kLook_ms, this, &PatchPointing::look);
     glide_time_.setUpdateInterval(kGlideFrame_ms);
@@ -502,10 +494,10 @@ class PatchPointing : public QObject {
   PatchScene& scene_;
   Selection* selection_;
   std::function<void()> render_;
-  PatchMarks* marks_;
-  FigureCard* hover_card_;
-  FigureCard* figure_card_;
-  QShortcut* escape_;
+  PatchMarks* marks_ = new PatchMarks(view_);
+  FigureCard* hover_card_ = new FigureCard(FigureCard::Kind::Passing, view_);
+  FigureCard* figure_card_ = new FigureCard(FigureCard::Kind::Kept, view_);
+  QShortcut* escape_ = new QShortcut(QKeySequence(Qt::Key_Escape), view_);
   unsigned long observer_ = 0;
 
   Coloring coloring_ = Coloring::LinkQuality;

@@ -36,11 +36,7 @@ class PlotPointing : public QObject {
  public:
   /// All outlive this.
   PlotPointing(QwtPlot* plot, const PlotData& data, PlotPicture::Marks& marks, Selection& selection)
-      : plot_(plot),
-        data_(data),
-        marks_(marks),
-        selection_(selection),
-        band_(new QRubberBand(QRubberBand::Rectangle, plot->canvas())) {
+      : plot_(plot), data_(data), marks_(marks), selection_(selection) {
     plot->canvas()->installEventFilter(this);
   }
 
@@ -323,7 +319,7 @@ class PlotPointing : public QObject {
   const PlotData& data_;
   PlotPicture::Marks& marks_;
   Selection& selection_;
-  QRubberBand* band_;
+  QRubberBand* band_ = new QRubberBand(QRubberBand::Rectangle, plot_->canvas());
   std::optional<QPoint> pressed_at_;
   std::optional<std::size_t> anchor_;  ///< place in the order along, or bin, from which Shift extends
 };

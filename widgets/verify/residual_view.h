@@ -41,14 +41,7 @@ class ResidualView : public QWidget {
 
  public:
   /// `selection` must outlive the view.
-  explicit ResidualView(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent),
-        selection_(selection),
-        table_(new ResidualTable(this)),
-        sorted_(new SortedTable(table_, this)),
-        plots_(new ResidualPlots(selection)),
-        legend_(makeLegend()) {
-    setNames(matrix_, QStringLiteral("residualMatrix"), tr("Residuals per link and pose"));
+  explicit ResidualView(Selection* selection, QWidget* parent = nullptr) : QWidget(parent), selection_(selection) {
     matrix_->setModel(sorted_);
     matrix_->setItemDelegate(new ResidualMatrixDelegate(matrix_));
     matrix_->setSelectionMode(QAbstractItemView::SingleSelection);
@@ -154,14 +147,14 @@ class ResidualView : public QWidget {
   }
 
   Selection* selection_;
-  ResidualTable* table_;
-  SortedTable* sorted_;
-  QTableView* matrix_ = new QTableView;
-  ResidualPlots* plots_;
+  ResidualTable* table_ = new ResidualTable(this);
+  SortedTable* sorted_ = new SortedTable(table_, this);
+  QTableView* matrix_ = named(new QTableView, "residualMatrix", tr("Residuals per link and pose"));
+  ResidualPlots* plots_ = new ResidualPlots(selection_);
   QStackedWidget* pages_ = new QStackedWidget;
   QToolButton* matrix_button_ = nullptr;
   QToolButton* plots_button_ = nullptr;
-  QWidget* legend_;
+  QWidget* legend_ = makeLegend();
   bool following_ = false;  ///< the matrix is being moved to what was picked elsewhere
 
   /// Paints the cells itself: a thousand columns leave no time for a style sheet.
