@@ -21,7 +21,6 @@
 #include "widgets/scene/scene_builder.h"
 #include "widgets/style/dressed_theme.h"
 
-#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <QAction>
 #include <QClipboard>
@@ -124,13 +123,9 @@ struct PatchView::Parts : public QObject {
 
   void buildScene(QGridLayout* layout) {
     canvas = std::make_unique<SceneWidget>(opengl.software, view);
-    vtkRenderWindow* window = canvas->renderWindow();
     canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
-    canvas->setFocusPolicy(Qt::NoFocus);
-    canvas->installEventFilter(this);
-    window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
     scene = std::make_unique<PatchScene>();
-    scene->attachTo(window);
+    scene->attachTo(canvas->renderWindow());
     clicks = std::make_unique<PatchClicks>(canvas.get(), *scene, [this] { requestRender(); });
     builder = std::make_unique<SceneBuilder>(
         [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
@@ -353,22 +348,6 @@ struct PatchView::Parts : public QObject {
     scene->setColors(sceneColors(themeOf(view->palette())));
     canvas->setBackground(Colors::of(view->palette()).scene_bottom);
     requestRender();
-  }
-
-  bool eventFilter(QObject*, QEvent* event) override {
-    switch (event->type()) {
-      case QEvent::KeyPress:
-      case QEvent::KeyRelease:
-        event->ignore();  // so that it goes on to the window
-        return true;
-      case QEvent::Show:  // shows changes made while it was hidden
-      case QEvent::Resize:
-      case QEvent::ScreenChangeInternal:  // which may be a denser one
-        requestRender();
-        return false;
-      default:
-        return false;
-    }
   }
 };
 

@@ -2,23 +2,7 @@
 
 #include "widgets/style/color_maps.h"
 
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkObjectFactory.h>
-
 namespace hexoderm {
-namespace {
-
-/// The trackball without VTK's single-letter commands: keys belong to the window.
-class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
- public:
-  static SceneInteractorStyle* New();
-  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
-  void OnKeyPress() override {}
-};
-vtkStandardNewMacro(SceneInteractorStyle);
-
-}  // namespace
-
 SceneColors sceneColors(Theme theme) {
   const Colors& colors = Colors::of(theme);
   const bool dark = theme == Theme::Dark;
@@ -51,10 +35,6 @@ SceneColors sceneColors(Theme theme) {
   scene.ellipsoid = toRgb(dark ? colors.selection : colors.panel);
   for (std::size_t k = 0; k < scene.axis.size(); ++k) scene.axis.at(k) = toRgb(colors.axis.at(k));
   return scene;
-}
-
-vtkSmartPointer<vtkInteractorObserver> makeSceneInteractorStyle() {
-  return vtkSmartPointer<SceneInteractorStyle>::New();
 }
 
 }  // namespace hexoderm

@@ -6,6 +6,8 @@
 
 #include <QVTKInteractor.h>
 #include <vtkCommand.h>
+#include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 #include <QEvent>
@@ -22,6 +24,15 @@ constexpr int kRenderAfter_ms = 10;
 /// Nor is it shown in the turn that has drawn it.
 constexpr int kShowAfter_ms = 1;
 constexpr int kRest_ms = 150;
+
+/// The trackball without VTK's single-letter commands: keys belong to the window.
+class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
+ public:
+  static SceneInteractorStyle* New();
+  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
+  void OnKeyPress() override {}
+};
+vtkStandardNewMacro(SceneInteractorStyle);
 
 }  // namespace
 
@@ -48,6 +59,7 @@ SceneWidget::SceneWidget(bool by_processor, QWidget* parent)
   const vtkNew<QVTKInteractor> interactor;
   interactor->SetRenderWindow(window_);
   interactor->Initialize();
+  interactor->SetInteractorStyle(vtkNew<SceneInteractorStyle>());
   interactor->EnableRenderOff();  // several moves of the mouse in one turn of the event loop are one drawing
   interactor->AddObserver(vtkCommand::RenderEvent, this, &SceneWidget::requestRender);
   setUpOnce(at_rest_, kRest_ms, this, [this] {
@@ -175,7 +187,20 @@ void SceneWidget::readPicture() {
 }
 
 bool SceneWidget::event(QEvent* event) {
-  if (event->type() == QEvent::Resize || event->type() == QEvent::ScreenChangeInternal) takeSize();
+  switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease:
+      event->ignore();  // so that it goes on to the window
+      return true;
+    case QEvent::Show:  // shows changes made while it was hidden
+    case QEvent::Resize:
+    case QEvent::ScreenChangeInternal:  // which may be a denser one
+      takeSize();
+      if (isVisible()) requestRender();
+      break;
+    default:
+      break;
+  }
   adapter_.ProcessEvent(event, window_->GetInteractor());
   return QWidget::event(event);
 }

@@ -20,8 +20,8 @@ namespace hexoderm {
 /// VTK's own widgets Qt would put the whole window together in OpenGL each time that any part of it changes, which
 /// without a graphics card takes longer than drawing the scene.
 ///
-/// Draws when it is asked to, and not by itself: with another size it shows the picture that it has until then. Needs
-/// OpenGL (see queryOpenGl()). Edges are smoothed by a shader; without a graphics card, where that takes longer than
+/// Draws when it is asked to, when it becomes visible and when its size changes; until then it shows the picture that it
+/// has. Needs OpenGL (see queryOpenGl()). Edges are smoothed by a shader; without a graphics card, where that takes longer than
 /// the drawing, only in the picture at rest, which is drawn once more for it.
 class SceneWidget : public QWidget {
   Q_OBJECT
@@ -52,7 +52,7 @@ class SceneWidget : public QWidget {
   [[nodiscard]] QImage picture();
 
  protected:
-  /// Passes events on to VTK's interactor.
+  /// Passes events on to VTK's interactor, but for keys: they belong to the window.
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
