@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/controls/item_layout.h"
+#include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"
 
 #include <QAction>

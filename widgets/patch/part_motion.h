@@ -3,8 +3,8 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/capture/calm_up.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/patch/arrow_keys.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"
 

@@ -2,10 +2,10 @@
 
 #include "widgets/coloring/coloring.h"
 #include "widgets/coloring/coloring_words.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
-#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/found_places.h"
 #include "widgets/patch/patch_marks.h"
 #include "widgets/patch/scene_widget.h"

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "hexoderm/base/units.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/heavy_turn.h"
-#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/opengl_info.h"
-#include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
 #include "widgets/robot/robot_scene.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/style/dressed_theme.h"
 
 #include <QImage>
