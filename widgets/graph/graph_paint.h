@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/scale_legend.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"

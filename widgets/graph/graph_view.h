@@ -2,7 +2,6 @@
 
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/find_cell_field.h"

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/folding_row.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/patch/cut_bar.h"

@@ -2,7 +2,6 @@
 
 #include "widgets/coloring/cell_colors.h"
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/legend_rows.h"
 #include "widgets/coloring/scale_strip.h"
 #include "widgets/scene/scene_corners.h"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_legend.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/patch/patch_legend.h"

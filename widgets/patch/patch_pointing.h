@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/panel_parts.h"

@@ -1,6 +1,6 @@
 #include "widgets/patch/patch_view.h"
 
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"

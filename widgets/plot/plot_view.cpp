@@ -1,6 +1,6 @@
 #include "widgets/plot/plot_view.h"
 
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/style/dressed_theme.h"
