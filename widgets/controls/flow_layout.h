@@ -106,10 +106,9 @@ class FlowLayout : public ItemLayout {
   }
 
   /// Index of the second group's first item; the end, if there is none.
-  [[nodiscard]] int firstGroupEnd() const { return second_group_.value_or(count()); }
   /// Width of all items in one row.
   [[nodiscard]] int rowWidth() const {
-    const int first = groupWidth(0, firstGroupEnd());
+    const int first = groupWidth(0, second_group_.value_or(count()));
     return second_group_ ? first + kApart + groupWidth(*second_group_, count()) : first;
   }
 };
