@@ -66,8 +66,7 @@ class GraphColoringButton : public QToolButton {
       actions_.emplace(row.coloring, action);
     }
     menu->addSeparator();
-    tree_ = menu->addAction(tr("Mark the &shortest paths"));
-    tree_->setObjectName(QStringLiteral("graphMarksTree"));
+    tree_ = named(menu->addAction(tr("Mark the &shortest paths")), "graphMarksTree");
     tree_->setCheckable(true);
     tree_->setChecked(true);
     tree_->setToolTip(tr("A band under the links on the shortest paths to the origin"));
@@ -113,8 +112,7 @@ class GraphView : public QWidget {
  public:
   /// `selection` must outlive the view.
   explicit GraphView(Selection* selection, QWidget* parent = nullptr) : QWidget(parent), selection_(selection) {
-    setObjectName(QStringLiteral("graphView"));
-    setAccessibleName(tr("Skin graph"));
+    setNames(this, QStringLiteral("graphView"), tr("Skin graph"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);

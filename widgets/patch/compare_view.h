@@ -95,15 +95,15 @@ class CompareView : public QWidget {
 
   /// `selection` must outlive the view.
   explicit CompareView(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent), before_(new PatchView(selection)), now_(new PatchView(selection)) {
+      : QWidget(parent),
+        before_(named(new PatchView(selection), "compareBefore", tr("The patch before"))),
+        now_(named(new PatchView(selection), "compareNow", tr("The patch now"))) {
     setNames(this, QStringLiteral("compareView"), tr("Before and after"));
     auto* layout = spaced(new QVBoxLayout(this), {10, 8, 10, 8}, 6);
     buildHead(layout);
     auto* panes = spaced(new QHBoxLayout, 8);
     before_pane_ = addPane(panes, "compareBeforeTitle", tr("BEFORE"), before_);
     addPane(panes, "compareNowTitle", tr("NOW"), now_);
-    setNames(before_, QStringLiteral("compareBefore"), tr("The patch before"));
-    setNames(now_, QStringLiteral("compareNow"), tr("The patch now"));
     layout->addLayout(panes, 1);
     summary_->setWordWrap(true);
     layout->addWidget(summary_);
@@ -158,8 +158,7 @@ class CompareView : public QWidget {
   }
 
   static QWidget* addPane(QHBoxLayout* panes, const char* name, const QString& text, PatchView* patch) {
-    auto* title = named(new QLabel(text), name);
-    title->setProperty("caption", true);
+    auto* title = styledAs(named(new QLabel(text), name), "caption");
     title->setTextFormat(Qt::PlainText);
     auto* pane = new QWidget;
     auto* column = spaced(new QVBoxLayout(pane), {0, 0, 0, 0}, 2);

@@ -28,10 +28,9 @@ class CutBar : public QFrame {
     slider_->setFixedWidth(110);
     slider_->setFocusPolicy(Qt::StrongFocus);
     slider_->setToolTip(tr("How much of the skin is taken away from in front"));
-    auto* align = named(new QToolButton(this), "cutAlign");
+    auto* align = quiet(new QToolButton(this), "cutAlign");
     align->setText(tr("Face me"));
     align->setToolTip(tr("Turns the cut so that it faces you as you look now"));
-    align->setFocusPolicy(Qt::TabFocus);
     addWidgets(layout, {labelFor(slider_, tr("Cut")), slider_, align});
     connect(slider_, &QSlider::valueChanged, this, [this] { emit shareChanged(share()); });
     connect(align, &QToolButton::clicked, this, &CutBar::alignRequested);

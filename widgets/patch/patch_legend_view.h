@@ -151,7 +151,6 @@ class PatchLegendView : public QWidget {
     setObjectName(QStringLiteral("patchLegend"));
     setAttribute(Qt::WA_NoSystemBackground);
     setMouseTracking(true);
-    button_->setFocusPolicy(Qt::TabFocus);
     button_->setToolTip(tr("The range of the colours: fitted to what is shown, the usual one, or as you type it"));
     connect(button_, &QToolButton::clicked, this, &PatchLegendView::openPopup);
     connect(popup_, &RangePopup::rangeWanted, this, &PatchLegendView::rangeFixed);
@@ -337,7 +336,7 @@ class PatchLegendView : public QWidget {
   std::optional<LegendContent> content_;
   std::optional<PatchLegend> legend_;
   int covered_px_ = 0;  ///< of the bottom of the parent, as heightChanged() says
-  QToolButton* button_ = styledAs(named(new QToolButton(this), "scaleRange"), "flat");
+  QToolButton* button_ = styledAs(quiet(new QToolButton(this), "scaleRange"), "flat");
   RangePopup* popup_ = new RangePopup(this);
   std::optional<double> marked_;
   QString marked_word_;
