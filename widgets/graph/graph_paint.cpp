@@ -16,16 +16,16 @@ struct GraphPaintWords {
 };
 
 /// Steps that a scale is drawn in; the eye tells no more apart.
-constexpr int kSteps = 24;
+constexpr int kScaleSteps = 24;
 
 /// After the steps of the scale come the colours of what lies below and above it.
 std::int16_t stepOf(std::optional<double> value, const ColorRange& range) {
   constexpr double kSlack = 1e-9;  // of a value at an end
   if (!value || !std::isfinite(*value)) return GraphPaint::kPlain;
   const double t = (*value - range.low) / (range.high - range.low);
-  if (t < -kSlack) return kSteps;
-  if (t > 1 + kSlack) return kSteps + 1;
-  return static_cast<std::int16_t>(std::lround(std::clamp(t, 0.0, 1.0) * (kSteps - 1)));
+  if (t < -kSlack) return kScaleSteps;
+  if (t > 1 + kSlack) return kScaleSteps + 1;
+  return static_cast<std::int16_t>(std::lround(std::clamp(t, 0.0, 1.0) * (kScaleSteps - 1)));
 }
 
 QColor classColor(std::size_t index, std::size_t count, Theme theme) {
@@ -37,8 +37,8 @@ void paintScale(const GraphScene& scene, Theme theme, const std::optional<ColorR
   const SceneColors colors = sceneColors(theme);
   const ColorMap& map = mapOf(paint.coloring, colors);
   std::vector<QColor> steps;
-  for (int step = 0; step < kSteps; ++step) {
-    steps.push_back(toQColor(onScale(map.steps, static_cast<double>(step) / (kSteps - 1))));
+  for (int step = 0; step < kScaleSteps; ++step) {
+    steps.push_back(toQColor(onScale(map.steps, static_cast<double>(step) / (kScaleSteps - 1))));
   }
   steps.push_back(toQColor(map.below));
   steps.push_back(toQColor(map.above));
