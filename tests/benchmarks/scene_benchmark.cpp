@@ -7,9 +7,9 @@
 // column CPU is the time of all threads together: on a busy computer it tells more than the frames/s do.
 
 #include "tests/support/hand_made_skins.h"
-#include "widgets/patch/scene_look.h"
 #include "widgets/scene/edge_smoothing.h"
 #include "widgets/scene/patch_scene.h"
+#include "widgets/style/color_maps.h"
 
 #include <benchmark/benchmark.h>
 #include <vtkCamera.h>

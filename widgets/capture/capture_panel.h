@@ -9,14 +9,16 @@
 #include "widgets/capture/live_strip.h"
 #include "widgets/controls/action_button.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/controls/toggle_switch.h"
+#include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QResizeEvent>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -28,6 +30,52 @@
 class QBoxLayout;
 
 namespace hexoderm {
+
+/// A check box drawn as a switch: a mode that stays on, rather than a choice in a form.
+class ToggleSwitch : public QCheckBox {
+  Q_OBJECT
+
+ public:
+  using QCheckBox::QCheckBox;
+  QSize sizeHint() const override {
+    const int line = fontMetrics().height();
+    return {static_cast<int>((1.8 + kSpace) * line) + fontMetrics().horizontalAdvance(text()) + 6,
+            static_cast<int>(1.5 * line)};
+  }
+
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* /*event*/) override {
+    const Colors& colors = Colors::of(palette());
+    const double line = fontMetrics().height();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QRectF track(2, 0.5 * (height() - 0.95 * line), 1.75 * line, 0.95 * line);
+    const bool on = isChecked();
+    painter.setPen(QPen(on && isEnabled() ? colors.accent : colors.excluded_link, 1.2));
+    painter.setBrush(on ? (isEnabled() ? colors.accent : colors.excluded_link) : colors.panel);
+    painter.drawRoundedRect(track, track.height() / 2, track.height() / 2);
+    const double radius = 0.36 * line;
+    const QPointF knob(on ? track.right() - track.height() / 2 : track.left() + track.height() / 2, track.center().y());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(on ? colors.panel : colors.excluded_link);
+    painter.drawEllipse(knob, radius, radius);
+    const QRectF label(track.right() + kSpace * line, 0, width() - track.right() - kSpace * line, height());
+    painter.setPen(isEnabled() ? colors.text : colors.text_muted);
+    painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, text());
+    if (hasFocus()) {
+      painter.setPen(QPen(colors.text, 1.5));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRoundedRect(track.adjusted(-1.5, -1.5, 1.5, 1.5), track.height() / 2, track.height() / 2);
+    }
+  }
+
+  bool hitButton(const QPoint& position) const override { return rect().contains(position); }
+
+ private:
+  static constexpr double kSpace = 0.6;  // between switch and text, in line heights
+};
 
 /// The operator's view of capturing: the next pose, readable from three metres, with its reason; the hold ring; the
 /// condition that is awaited, with cell, value and limit; and the buttons for it. Without a source it says that no skin
@@ -44,19 +92,8 @@ class CapturePanel : public QWidget {
     QAction* turn = nullptr;
   };
 
-  explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr)
-      : QWidget(parent),
-        columns_(new QBoxLayout(QBoxLayout::TopToBottom, this)),
-        what_(paragraph("captureWhat", this)),
-        turn_(paragraph("captureTurn", this)),
-        why_(paragraph("captureWhy", this)),
-        sigma_(paragraph("captureSigma", this)),
-        ring_(new HoldRing(this)),
-        wait_(paragraph("captureWait", this)),
-        odd_(paragraph("captureOdd", this)),
-        remark_(paragraph("captureRemark", this)) {
+  explicit CapturePanel(const Actions& actions, QWidget* parent = nullptr) : QWidget(parent) {
     setNames(this, QStringLiteral("capturePanel"), tr("Capturing poses"));
-    for (QLabel* label : {why_, sigma_, odd_}) label->setProperty("muted", true);
     setUpOnce(captured_timer_, kCapturedShown_ms, this, [this] {
       captured_.reset();
       refresh();
@@ -227,15 +264,15 @@ class CapturePanel : public QWidget {
     wait_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   }
 
-  QBoxLayout* columns_;
-  QLabel* what_;
-  QLabel* turn_;
-  QLabel* why_;
-  QLabel* sigma_;
-  HoldRing* ring_;
-  QLabel* wait_;
-  QLabel* odd_;
-  QLabel* remark_;
+  QBoxLayout* columns_ = new QBoxLayout(QBoxLayout::TopToBottom, this);
+  QLabel* what_ = paragraph("captureWhat", this);
+  QLabel* turn_ = paragraph("captureTurn", this);
+  QLabel* why_ = styledAs(paragraph("captureWhy", this), "muted");
+  QLabel* sigma_ = styledAs(paragraph("captureSigma", this), "muted");
+  HoldRing* ring_ = new HoldRing(this);
+  QLabel* wait_ = paragraph("captureWait", this);
+  QLabel* odd_ = styledAs(paragraph("captureOdd", this), "muted");
+  QLabel* remark_ = paragraph("captureRemark", this);
   QTimer captured_timer_;
   std::optional<SourceStatus> source_;
   HoldStatus hold_;

@@ -27,8 +27,7 @@ class HoldRing : public QWidget {
   explicit HoldRing(QWidget* parent = nullptr) : QWidget(parent) {
     setObjectName(QStringLiteral("holdRing"));
     setAccessibleName(tr("How long the part has been held"));
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    setSizePolicy(policy);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   }
 
   /// Cheap: may be called 20 times a second.

@@ -27,19 +27,13 @@ class StillnessView : public QWidget {
   Q_OBJECT
 
  public:
-  explicit StillnessView(QWidget* parent = nullptr)
-      : QWidget(parent),
-        header_(new ElidedLabel(1, this)),
-        strip_(new Strip(trace_, this)),
-        nothing_(paragraph("stillnessNothing", this)) {
+  explicit StillnessView(QWidget* parent = nullptr) : QWidget(parent) {
     setNames(this, QStringLiteral("stillnessView"), tr("Stillness of the last ten seconds"));
-    header_->setObjectName(QStringLiteral("stillnessHeader"));
     header_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     // A long text must not widen the window.
     header_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     nothing_->setText(tr("No readings: when a skin is connected, this shows how still it is held."));
     nothing_->setAlignment(Qt::AlignCenter);
-    for (QLabel* label : {header_, nothing_}) label->setProperty("muted", true);
     auto* layout = spaced(new QVBoxLayout(this), {0, 2, 8, 2}, 2);
     layout->addWidget(header_);
     layout->addWidget(strip_, 1);
@@ -113,9 +107,9 @@ class StillnessView : public QWidget {
   }
 
   StillnessTrace trace_;
-  QLabel* header_;
-  Strip* strip_;
-  QLabel* nothing_;
+  QLabel* header_ = styledAs(named(new ElidedLabel(1, this), "stillnessHeader"), "muted");
+  Strip* strip_ = new Strip(trace_, this);
+  QLabel* nothing_ = styledAs(paragraph("stillnessNothing", this), "muted");
   QTimer refresh_soon_;
 
   // The ordinate counts lanes: x around 2, y around 1, z around 0, the ribbon of states below.

@@ -3,6 +3,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/metrics/assess.h"
 
+#include <QCoreApplication>
 #include <QtGlobal>
 #include <algorithm>
 #include <array>
@@ -237,6 +238,17 @@ constexpr std::array kTable = {
                 .patch_title = QT_TRANSLATE_NOOP("hexoderm::Coloring", "temperature"),
                 .missing = QT_TRANSLATE_NOOP("hexoderm::Coloring", "The skin sends no temperatures")}};
 
+struct ColoringWords {
+  Q_DECLARE_TR_FUNCTIONS(hexoderm::Coloring)
+};
+
+QString titleWithUnit(const char* title, Coloring coloring) {
+  if (title == nullptr) return coloringName(coloring);
+  const QString unit = QString::fromUtf8(coloringRow(coloring).unit);
+  const QString words = ColoringWords::tr(title);
+  return unit.isEmpty() ? words : words + QStringLiteral(", ") + unit;
+}
+
 }  // namespace
 
 std::span<const ColoringRow> coloringTable() { return kTable; }
@@ -301,5 +313,20 @@ ColorRange rangeOf(Coloring coloring, const std::vector<std::optional<double>>& 
   if (!row.is_fitted && row.range) return *row.range;
   return fitRange(values, {.least_span = row.least_span, .center = row.center});
 }
+
+QString coloringName(Coloring coloring) { return ColoringWords::tr(coloringRow(coloring).name); }
+
+QString graphTitle(Coloring coloring) { return titleWithUnit(coloringRow(coloring).graph_title, coloring); }
+
+QString patchTitle(Coloring coloring) { return titleWithUnit(coloringRow(coloring).patch_title, coloring); }
+
+QString whyNoColoring(Coloring coloring, bool has_values) {
+  const char* missing = coloringRow(coloring).missing;
+  return has_values || missing == nullptr ? QString() : ColoringWords::tr(missing);
+}
+
+QString patchWord(std::size_t index) { return ColoringWords::tr("patch %1").arg(index + 1); }
+
+QString notKnownWord() { return ColoringWords::tr("not known"); }
 
 }  // namespace hexoderm

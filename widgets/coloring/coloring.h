@@ -4,6 +4,7 @@
 #include "hexoderm/solve/metrics/value_scale.h"
 #include "hexoderm/solve/result/reconstruction.h"
 
+#include <QString>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -61,7 +62,7 @@ struct CellReadings {
 };
 
 /// One row of the table of colourings: all that the views know about a Coloring. Texts are to be translated in the
-/// context hexoderm::Coloring (coloring_words.h does).
+/// context hexoderm::Coloring (coloringName() and its like do).
 struct ColoringRow {
   using OfLink = std::optional<double> (*)(const LinkEstimate& link);
   using OfCell = std::optional<double> (*)(const CellMetrics& figures, const CellReadings& readings, std::size_t index);
@@ -116,5 +117,23 @@ std::vector<std::optional<double>> scaledValues(Coloring coloring, const Reconst
 /// The ends of the scale of these values, of a quantity. `fixed`: by the operator.
 ColorRange rangeOf(Coloring coloring, const std::vector<std::optional<double>>& values,
                    const std::optional<ColorRange>& fixed);
+
+// The words for colours in the user's language, the same in the graph and in the 3D view.
+
+/// "link quality", for menus.
+QString coloringName(Coloring coloring);
+
+/// The title with its unit, for the graph's legend: "residual, rms over poses, °".
+QString graphTitle(Coloring coloring);
+/// The same for the legend of the 3D view; of classes the name.
+QString patchTitle(Coloring coloring);
+
+/// The reason why the cells of the 3D view can't be coloured by it; empty if they can.
+QString whyNoColoring(Coloring coloring, bool has_values);
+
+/// "patch 3", where patches are classes. `index` counts from 0.
+QString patchWord(std::size_t index);
+/// The word for cells and links without a value or a class.
+QString notKnownWord();
 
 }  // namespace hexoderm

@@ -19,12 +19,11 @@ class CardDock : public QDockWidget {
  public:
   /// `object_name` names the dock where the layout is remembered. Takes over `content`.
   CardDock(const QString& heading, const QString& object_name, QWidget* content, QWidget* parent = nullptr)
-      : QDockWidget(heading, parent), title_(new QLabel(heading.toUpper())) {
+      : QDockWidget(heading, parent), title_(styledAs(new QLabel(heading.toUpper()), "caption")) {
     setNames(this, object_name, heading);
     content->setAccessibleName(heading);
     // The heading is inside the card, so that a dock looks like one thing; it is still what one drags.
     auto* bar = styledAs(new QFrame, "cardHead");
-    title_->setProperty("caption", true);
     remark_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     remark_->hide();
     auto* head = spaced(new QHBoxLayout(bar), {13, 9, 13, 5});

@@ -42,7 +42,7 @@ class CheckList : public QWidget {
  private:
   class Row : public QWidget {
    public:
-    explicit Row(CheckList* list) : QWidget(list), sign_(new QLabel), text_(new QLabel), show_(new QPushButton) {
+    explicit Row(CheckList* list) : QWidget(list) {
       makeBold(sign_);
       setPlainParagraph(text_);
       show_->setText(CheckList::tr("Show"));
@@ -68,9 +68,9 @@ class CheckList : public QWidget {
 
    private:
     SkinCheckItem item_;
-    QLabel* sign_;
-    QLabel* text_;
-    QPushButton* show_;
+    QLabel* sign_ = new QLabel;
+    QLabel* text_ = new QLabel;
+    QPushButton* show_ = new QPushButton;
   };
 
   QVBoxLayout* layout_ = new QVBoxLayout(this);

@@ -70,9 +70,8 @@ class FigureCard : public QFrame {
       setAttribute(Qt::WA_TransparentForMouseEvents);
       addWidgets(layout, {text_, value_});
     } else {
-      auto* close = quiet(new QToolButton(this), "closeFigures");
+      auto* close = styledAs(quiet(new QToolButton(this), "closeFigures"), "flat");
       close->setText(QStringLiteral("×"));
-      close->setProperty("flat", true);
       close->setToolTip(tr("Close this card (Esc)"));
       close->setAccessibleName(tr("Close the card with the figures"));
       connect(close, &QToolButton::clicked, this, &FigureCard::closed);
@@ -81,8 +80,7 @@ class FigureCard : public QFrame {
       head->addWidget(close, 0, Qt::AlignTop);
       layout->addLayout(head);
       layout->addWidget(value_);
-      neighbors_word_ = new QLabel(tr("Neighbours"), this);
-      neighbors_word_->setProperty("muted", true);
+      neighbors_word_ = styledAs(new QLabel(tr("Neighbours"), this), "muted");
       layout->addWidget(neighbors_word_);
       neighbors_ = new QWidget(this);
       spaced(new FlowLayout(neighbors_), {0, 0, 0, 0}, 5);

@@ -35,23 +35,11 @@ class FindingCard : public QFrame {
   Q_OBJECT
 
  public:
-  explicit FindingCard(QWidget* parent = nullptr)
-      : QFrame(parent),
-        what_(paragraph("findingWhat", this)),
-        where_(paragraph("findingWhere", this)),
-        show_(quiet(new QPushButton(tr("Show"), this), "findingShow")),
-        fold_(quiet(new QToolButton(this), "findingFold")),
-        why_(paragraph("findingWhy", details_)),
-        todo_(paragraph("findingToDo", details_)),
-        buttons_(new QWidget(details_)),
-        button_layout_(spaced(new FlowLayout(buttons_), {0, 0, 0, 0}, 6)) {
+  explicit FindingCard(QWidget* parent = nullptr) : QFrame(parent) {
     setObjectName(QStringLiteral("findingCard"));
     setProperty("card", true);
-    severity_->setObjectName(QStringLiteral("findingSeverity"));
     makeBold(severity_);
-    where_->setProperty("muted", true);
     fold_->setCheckable(true);
-    fold_->setProperty("flat", true);
     fold_->setToolButtonStyle(Qt::ToolButtonTextOnly);
     fold_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);  // as high as the button beside it
     // A copy: what follows may bring another finding here.
@@ -139,16 +127,16 @@ class FindingCard : public QFrame {
 
   Finding finding_;
   std::vector<FindingOffer> offers_;
-  QLabel* severity_ = new QLabel(this);
-  QLabel* what_;
-  QLabel* where_;
-  QPushButton* show_;
-  QToolButton* fold_;
+  QLabel* severity_ = named(new QLabel(this), "findingSeverity");
+  QLabel* what_ = paragraph("findingWhat", this);
+  QLabel* where_ = styledAs(paragraph("findingWhere", this), "muted");
+  QPushButton* show_ = quiet(new QPushButton(tr("Show"), this), "findingShow");
+  QToolButton* fold_ = styledAs(quiet(new QToolButton(this), "findingFold"), "flat");
   QWidget* details_ = new QWidget(this);
-  QLabel* why_;
-  QLabel* todo_;
-  QWidget* buttons_;
-  FlowLayout* button_layout_;
+  QLabel* why_ = paragraph("findingWhy", details_);
+  QLabel* todo_ = paragraph("findingToDo", details_);
+  QWidget* buttons_ = new QWidget(details_);
+  FlowLayout* button_layout_ = spaced(new FlowLayout(buttons_), {0, 0, 0, 0}, 6);
 };
 
 /// Cards of several findings, one below the other; the first is unfolded. Of many only the first few, and the number of
@@ -166,7 +154,6 @@ class FindingCards : public QWidget {
   explicit FindingCards(const QString& object_name, QWidget* parent = nullptr) : QWidget(parent) {
     setObjectName(object_name);
     spaced(layout_, {0, 0, 0, 0}, 8);
-    others_->setProperty("flat", true);
     others_->setFocusPolicy(Qt::TabFocus);
     others_->hide();
     connect(others_, &QPushButton::clicked, this, &FindingCards::allWanted);
@@ -213,7 +200,7 @@ class FindingCards : public QWidget {
  private:
   QVBoxLayout* layout_ = new QVBoxLayout(this);
   std::vector<FindingCard*> cards_;
-  QPushButton* others_ = new QPushButton(this);
+  QPushButton* others_ = styledAs(new QPushButton(this), "flat");
   std::vector<Item> items_;
   std::vector<Finding> shown_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/controls/item_layout.h"
+#include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"
 
 #include <QAction>
@@ -19,12 +19,10 @@ class FoldingRow : public ItemLayout {
 
  public:
   /// `parent`: the widget whose layout this becomes.
-  explicit FoldingRow(QWidget* parent) : ItemLayout(parent), more_(new QToolButton(parent)) {
-    more_->setObjectName(QStringLiteral("moreButton"));
+  explicit FoldingRow(QWidget* parent) : ItemLayout(parent), more_(quiet(new QToolButton(parent), "moreButton")) {
     more_->setText(tr("More ▾"));
     more_->setAccessibleName(tr("More"));
     more_->setToolTip(tr("What finds no room beside this"));
-    more_->setFocusPolicy(Qt::TabFocus);
     more_->setPopupMode(QToolButton::InstantPopup);
     more_->setMenu(menu_);
     more_->hide();

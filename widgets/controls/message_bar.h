@@ -31,11 +31,9 @@ class MessageBar : public QFrame {
       // A copy: what it does may bring the next message.
       if (const std::function<void()> pressed = pressed_) pressed();
     });
-    auto* close = named(new QToolButton(this), "messageClose");
-    close->setProperty("flat", true);
+    auto* close = styledAs(named(new QToolButton(this), "messageClose", tr("Close this message")), "flat");
     close->setText(QStringLiteral("\u2715"));
     close->setToolTip(tr("Close this message"));
-    close->setAccessibleName(tr("Close this message"));
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
 
     auto* layout = spaced(new QHBoxLayout(this), {16, 6, 8, 6});

@@ -288,20 +288,9 @@ class StepPanel : public QScrollArea {
 
   class Row : public QWidget {
    public:
-    Row(int number, QWidget* parent)
-        : QWidget(parent),
-          head_(new StepHead(number, this)),
-          body_(new QFrame(this)),
-          what_(paragraph("stepWhat", body_)),
-          why_(paragraph("stepWhy", body_)),
-          because_(paragraph("stepBecause", body_)),
-          content_(new QVBoxLayout),
-          buttons_(new FlowLayout) {
+    Row(int number, QWidget* parent) : QWidget(parent), head_(new StepHead(number, this)) {
       setObjectName(QStringLiteral("step%1").arg(number));
       head_->setObjectName(QStringLiteral("stepHead%1").arg(number));
-      body_->setProperty("stepBody", true);
-      what_->setProperty("stepWhat", true);
-      why_->setProperty("muted", true);
       because_->setObjectName(QStringLiteral("stepBecause%1").arg(number));
       auto* body = spaced(new QVBoxLayout(body_), {kMargin + 6, 2, kMargin, 14}, 8);
       addWidgets(body, {what_, why_, because_});
@@ -347,12 +336,12 @@ class StepPanel : public QScrollArea {
     }
 
     StepHead* head_;
-    QFrame* body_;
-    QLabel* what_;
-    QLabel* why_;
-    QLabel* because_;
-    QVBoxLayout* content_;
-    FlowLayout* buttons_;
+    QFrame* body_ = styledAs(new QFrame(this), "stepBody");
+    QLabel* what_ = styledAs(paragraph("stepWhat", body_), "stepWhat");
+    QLabel* why_ = styledAs(paragraph("stepWhy", body_), "muted");
+    QLabel* because_ = paragraph("stepBecause", body_);
+    QVBoxLayout* content_ = new QVBoxLayout;
+    FlowLayout* buttons_ = new FlowLayout;
     std::vector<ActionButton*> buttons_shown_;
   };
 };

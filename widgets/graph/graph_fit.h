@@ -1,6 +1,5 @@
 #pragma once
 
-#include "widgets/graph/graph_camera.h"
 #include "widgets/graph/graph_legend.h"
 #include "widgets/graph/graph_scene.h"
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "widgets/coloring/cell_colors.h"
 #include "widgets/coloring/legend_rows.h"
 #include "widgets/coloring/scale_strip.h"
 #include "widgets/graph/graph_paint.h"
@@ -31,7 +32,8 @@ class GraphLegend {
       : colors_(Colors::of(theme)), font_(font) {
     if (font_.pointSizeF() > 0) font_.setPointSizeF(0.9 * font_.pointSizeF());
     if (paint.scale) {
-      scale_.emplace(*paint.scale, graphMap(paint.coloring, theme), theme, font_, ScaleStrip::Histogram::Hidden);
+      scale_.emplace(*paint.scale, mapOf(paint.coloring, sceneColors(theme)), theme, font_,
+                     ScaleStrip::Histogram::Hidden);
       title_ = graphTitle(paint.coloring);
       note_ = paint.scale->is_fixed ? tr("range fixed") : QString();
     }

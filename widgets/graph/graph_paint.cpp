@@ -1,5 +1,6 @@
 #include "widgets/graph/graph_paint.h"
 
+#include "widgets/coloring/cell_colors.h"
 #include "widgets/style/color_maps.h"
 
 #include <QCoreApplication>
@@ -15,35 +16,29 @@ struct GraphPaintWords {
 };
 
 /// Steps that a scale is drawn in; the eye tells no more apart.
-constexpr int kSteps = 24;
-
-CellMetrics figuresOf(const GraphScene& scene) {
-  return scene.reconstruction() ? makeCellMetrics(*scene.reconstruction()) : CellMetrics{};
-}
+constexpr int kScaleSteps = 24;
 
 /// After the steps of the scale come the colours of what lies below and above it.
 std::int16_t stepOf(std::optional<double> value, const ColorRange& range) {
   constexpr double kSlack = 1e-9;  // of a value at an end
   if (!value || !std::isfinite(*value)) return GraphPaint::kPlain;
   const double t = (*value - range.low) / (range.high - range.low);
-  if (t < -kSlack) return kSteps;
-  if (t > 1 + kSlack) return kSteps + 1;
-  return static_cast<std::int16_t>(std::lround(std::clamp(t, 0.0, 1.0) * (kSteps - 1)));
+  if (t < -kSlack) return kScaleSteps;
+  if (t > 1 + kSlack) return kScaleSteps + 1;
+  return static_cast<std::int16_t>(std::lround(std::clamp(t, 0.0, 1.0) * (kScaleSteps - 1)));
 }
 
 QColor classColor(std::size_t index, std::size_t count, Theme theme) {
-  SceneColors colors;
-  colors.scale = sequentialMap(theme);
-  colors.classes = classColors(theme);
-  return toQColor(categoryColor(colors, index, count));
+  return toQColor(categoryColor(sceneColors(theme), index, count));
 }
 
 void paintScale(const GraphScene& scene, Theme theme, const std::optional<ColorRange>& fixed, GraphPaint& paint) {
   const ColoringRow& row = coloringRow(paint.coloring);
-  const ColorMap& map = graphMap(paint.coloring, theme);
+  const SceneColors colors = sceneColors(theme);
+  const ColorMap& map = mapOf(paint.coloring, colors);
   std::vector<QColor> steps;
-  for (int step = 0; step < kSteps; ++step) {
-    steps.push_back(toQColor(onScale(map.steps, static_cast<double>(step) / (kSteps - 1))));
+  for (int step = 0; step < kScaleSteps; ++step) {
+    steps.push_back(toQColor(onScale(map.steps, static_cast<double>(step) / (kScaleSteps - 1))));
   }
   steps.push_back(toQColor(map.below));
   steps.push_back(toQColor(map.above));
@@ -105,7 +100,7 @@ void paintPatches(const GraphScene& scene, Theme theme, GraphPaint& paint) {
 }
 
 void paintBodyParts(const GraphScene& scene, Theme theme, GraphPaint& paint) {
-  const CellMetrics figures = figuresOf(scene);
+  const CellMetrics figures = scene.reconstruction() ? makeCellMetrics(*scene.reconstruction()) : CellMetrics{};
   for (const std::string& name : figures.body_parts) {
     paint.fills.push_back(classColor(paint.fills.size(), figures.body_parts.size(), theme));
     paint.words.push_back(QString::fromStdString(name));
@@ -119,10 +114,6 @@ void paintBodyParts(const GraphScene& scene, Theme theme, GraphPaint& paint) {
 }
 
 }  // namespace
-
-const ColorMap& graphMap(Coloring coloring, Theme theme) {
-  return coloringRow(coloring).center ? divergingMap(theme) : sequentialMap(theme);
-}
 
 GraphPaint paintOf(const GraphScene& scene, Coloring coloring, Theme theme, const std::optional<ColorRange>& fixed) {
   GraphPaint paint;

@@ -1,11 +1,9 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/coloring/scale_legend.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"
-#include "widgets/style/scene_colors.h"
 
 #include <QColor>
 #include <QString>
@@ -33,10 +31,8 @@ struct GraphPaint {
 /// Asks core for the figures of every cell where these are to be shown: some milliseconds for 10,000 cells.
 /// `fixed`: the scale's range, where the operator has fixed it.
 GraphPaint paintOf(const GraphScene& scene, Coloring coloring, Theme theme,
-                   const std::optional<ColorRange>& fixed = std::nullopt);
-/// The colours of the scale of a quantity in the graph, the same as in the 3D view.
-const ColorMap& graphMap(Coloring coloring, Theme theme);
-/// True if at least one cell says which body part it is on.
+                   const std::optional<ColorRange>& fixed =
+                       std::nullopt);  /// True if at least one cell says which body part it is on.
 bool knowsBodyParts(const GraphScene& scene);
 
 }  // namespace hexoderm

@@ -1,13 +1,13 @@
 #pragma once
 
 #include "hexoderm/base/units.h"
-#include "widgets/graph/graph_camera.h"
-#include "widgets/graph/graph_levels.h"
 #include "widgets/graph/graph_paint.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"
 
+#include <QCoreApplication>
 #include <QFont>
+#include <QFontMetricsF>
 #include <QImage>
 #include <QPainter>
 #include <QPainterPath>
@@ -45,12 +45,11 @@ class GraphPainter {
     seen_ = QRectF(QPointF(0, 0), camera.size).adjusted(-margin, -margin, margin, margin);
     const auto seen = std::ranges::count_if(
         scene.cells(), [this](const GraphScene::Cell& cell) { return seen_.contains(camera_.toScreen(cell.center)); });
-    is_crowded_ = !style.is_vector && static_cast<std::size_t>(seen) > graph_levels::kCrowd;
+    is_crowded_ = !style.is_vector && static_cast<std::size_t>(seen) > kCrowd;
   }
 
   /// Everything but what is picked and pointed at.
   void drawSheet(QPainter& painter) const {
-    using namespace graph_levels;
     // Without smoothing a large skin is drawn several times faster, and at that size nobody sees the difference.
     const bool smooth = radius_px_ >= kOutlineRadius && !is_crowded_;
     painter.setRenderHint(QPainter::Antialiasing, smooth);
@@ -212,7 +211,7 @@ class GraphPainter {
     // One call per kind of line: a few pens instead of tens of thousands.
     std::vector<QVector<QLineF>> lines(paint_.strokes.size());
     QVector<QLineF> plain;
-    const bool thin = radius_px_ < graph_levels::kOutlineRadius || is_crowded_;
+    const bool thin = radius_px_ < kOutlineRadius || is_crowded_;
     const auto add = [&](const QPointF& a, const QPointF& b, bool in_tree, QVector<QLineF>& group) {
       if (!thin) {
         addDirections(a, b, group);
@@ -220,7 +219,7 @@ class GraphPainter {
       }
       group.append(QLineF(a, b));
       // If no band fits, the tree's links are a pixel wider.
-      if (in_tree && style_.marks_tree && radius_px_ >= graph_levels::kOutlineRadius) {
+      if (in_tree && style_.marks_tree && radius_px_ >= kOutlineRadius) {
         group.append(QLineF(a, b).translated(0, 1));
       }
     };
@@ -241,7 +240,7 @@ class GraphPainter {
 
   /// A pale band under both directions of a link that is on the shortest-path tree.
   void drawTree(QPainter& painter) const {
-    if (radius_px_ < graph_levels::kStyleRadius) return;
+    if (radius_px_ < kStyleRadius) return;
     QVector<QLineF> lines;
     for (const GraphScene::Link& link : scene_.links()) {
       if (!link.estimate->used || !link.estimate->in_tree) continue;
@@ -253,14 +252,14 @@ class GraphPainter {
 
   void drawStrokes(QPainter& painter, const QVector<QLineF>& lines, const LinkStroke& stroke) const {
     if (lines.isEmpty()) return;
-    if (radius_px_ < graph_levels::kOutlineRadius || is_crowded_) {
+    if (radius_px_ < kOutlineRadius || is_crowded_) {
       // Lines without smoothing, one pixel wide: Qt has a way of its own for these, many times as fast as any other.
       painter.setPen(QPen(stroke.color, 1, Qt::SolidLine, Qt::FlatCap));
       painter.drawLines(lines);
       return;
     }
     double width = std::clamp(0.16 * radius_px_, 1.0, 5.0);
-    const bool styled = radius_px_ >= graph_levels::kStyleRadius;
+    const bool styled = radius_px_ >= kStyleRadius;
     if (paint_.scale && styled) {
       // One end of the scale is hardly seen on a light ground, the other on a dark one.
       width *= 1.2;
@@ -302,7 +301,7 @@ class GraphPainter {
       crosses.append(QLineF(middle + QPointF(-arm, -arm), middle + QPointF(arm, arm)));
       crosses.append(QLineF(middle + QPointF(-arm, arm), middle + QPointF(arm, -arm)));
     }
-    const bool thin = radius_px_ < graph_levels::kOutlineRadius || is_crowded_;
+    const bool thin = radius_px_ < kOutlineRadius || is_crowded_;
     const auto width = [thin](double pixels) { return thin ? 1.0 : pixels; };
     painter.setPen(
         QPen(colors_.excluded_link, width(std::clamp(0.11 * radius_px_, 1.0, 3.0)), Qt::SolidLine, Qt::FlatCap));
@@ -311,7 +310,7 @@ class GraphPainter {
     dashed.setDashPattern({4, 4});
     painter.setPen(dashed);
     painter.drawLines(between);
-    if (radius_px_ < graph_levels::kOutlineRadius) return;
+    if (radius_px_ < kOutlineRadius) return;
     painter.setPen(
         QPen(colors_.text_muted, width(std::clamp(0.13 * radius_px_, 1.2, 3.0)), Qt::SolidLine, Qt::RoundCap));
     painter.drawLines(crosses);
@@ -344,7 +343,7 @@ class GraphPainter {
   }
 
   void drawCells(QPainter& painter) const {
-    if (radius_px_ < graph_levels::kOutlineRadius) {
+    if (radius_px_ < kOutlineRadius) {
       if (!dotsAreUnderLinks()) drawDots(painter);
       drawOriginsAsDots(painter);
     } else if (is_crowded_) {
@@ -360,7 +359,7 @@ class GraphPainter {
 
   /// Where links have the colours, and there is no room beside the cells.
   [[nodiscard]] bool dotsAreUnderLinks() const {
-    return radius_px_ < graph_levels::kDotRadius && coloringRow(paint_.coloring).colors_links;
+    return radius_px_ < kDotRadius && coloringRow(paint_.coloring).colors_links;
   }
 
   void drawDots(QPainter& painter) const {
@@ -415,10 +414,89 @@ class GraphPainter {
     return image;
   }
 
-  void drawIds(QPainter& painter) const;
-  void drawPorts(QPainter& painter) const;
-  void drawCutMarks(QPainter& painter) const;
-  void drawPatchCaptions(QPainter& painter) const;
+  void drawIds(QPainter& painter) const {
+    const auto digits = static_cast<double>(scene_.longestId());
+    const double pixels = std::min({0.8 * radius_px_, 1.6 * radius_px_ / (0.62 * digits), 24.0});
+    if (pixels < 6) return;
+    QFont font = style_.font;
+    font.setPixelSize(static_cast<int>(pixels));
+    QFont starred = font;  // the star needs room, too
+    starred.setPixelSize(static_cast<int>(std::min(pixels, 1.62 * radius_px_ / (0.62 * digits + 1.0))));
+    const bool filled = !coloringRow(paint_.coloring).colors_links;
+    painter.setPen(colors_.text);
+    for (std::size_t k = 0; k < scene_.cells().size(); ++k) {
+      const GraphScene::Cell& cell = scene_.cells()[k];
+      const QPointF center = camera_.toScreen(cell.center);
+      if (!seen_.contains(center)) continue;
+      const QRectF box(center - QPointF(2 * radius_px_, radius_px_), QSizeF(4 * radius_px_, 2 * radius_px_));
+      const QString id = QString::number(cell.id.value());
+      if (filled) painter.setPen(textOn(fillOf(k)));
+      painter.setFont(cell.origin ? starred : font);
+      painter.drawText(box, Qt::AlignCenter, cell.origin ? id + QStringLiteral("★") : id);
+    }
+  }
+
+  /// Port numbers where a link leaves its cell: for those who look closely.
+  void drawPorts(QPainter& painter) const {
+    QFont font = style_.font;
+    font.setPixelSize(static_cast<int>(std::clamp(0.3 * radius_px_, 9.0, 13.0)));
+    painter.setFont(font);
+    painter.setPen(colors_.text_muted);
+    const bool filled = !coloringRow(paint_.coloring).colors_links;
+    const auto draw = [&](std::size_t cell, const GraphScene::Link& link, PortNumber port) {
+      const QPointF direction = scene_.directionFrom(cell, link);
+      const QPointF place =
+          camera_.toScreen(scene_.cells()[cell].center) + 0.66 * radius_px_ * QPointF(direction.x(), -direction.y());
+      if (filled) painter.setPen(textOn(fillOf(cell)));
+      painter.drawText(QRectF(place - QPointF(12, 10), QSizeF(24, 20)), Qt::AlignCenter, QString::number(port.value()));
+    };
+    for (const GraphScene::Link& link : scene_.links()) {
+      if (seen_.contains(camera_.toScreen(link.from))) draw(link.source, link, link.estimate->source.port);
+      if (seen_.contains(camera_.toScreen(link.to))) draw(link.target, link, link.estimate->target.port);
+    }
+  }
+
+  void drawCutMarks(QPainter& painter) const {
+    QFont font = style_.font;
+    font.setPixelSize(static_cast<int>(std::clamp(0.62 * radius_px_, 8.0, 14.0)));
+    font.setItalic(true);
+    painter.setFont(font);
+    painter.setPen(colors_.text);
+    const auto draw = [&](std::size_t cell, const GraphScene::Link& link, const QPointF& port) {
+      const QPointF direction = scene_.directionFrom(cell, link);
+      const double out = 0.75 * font.pixelSize();
+      const QPointF place = camera_.toScreen(port) + out * QPointF(direction.x(), -direction.y());
+      if (!seen_.contains(place)) return;
+      painter.drawText(QRectF(place - QPointF(20, 10), QSizeF(40, 20)), Qt::AlignCenter, link.mark);
+    };
+    for (const GraphScene::Link& link : scene_.links()) {
+      if (!link.cut) continue;
+      draw(link.source, link, link.from);
+      draw(link.target, link, link.to);
+    }
+  }
+
+  void drawPatchCaptions(QPainter& painter) const {
+    QFont font = style_.font;
+    font.setPointSizeF(std::max(7.0, 0.88 * (font.pointSizeF() > 0 ? font.pointSizeF() : 10.0)));
+    painter.setFont(font);
+    painter.setPen(colors_.text_muted);
+    const QFontMetricsF metrics(font);
+    for (const GraphScene::Patch& patch : scene_.patches()) {
+      if (patch.patch->cells.empty()) continue;
+      const QRectF box = camera_.toScreen(patch.bounds);
+      QString text = QCoreApplication::translate("hexoderm::GraphView", "Patch %1").arg(patch.patch->id.value() + 1);
+      const double least = metrics.horizontalAdvance(text);
+      if (!box.intersects(seen_) || (box.width() < least && scene_.patches().size() > 6)) continue;
+      const std::size_t count = patch.patch->cells.size();
+      const QString cells = count == 1 ? QCoreApplication::translate("hexoderm::GraphView", "1 cell")
+                                       : QCoreApplication::translate("hexoderm::GraphView", "%1 cells").arg(count);
+      const QString longer = text + QStringLiteral(" · ") + cells;
+      if (metrics.horizontalAdvance(longer) <= std::max(box.width(), 1.6 * least)) text = longer;
+      painter.drawText(QPointF(std::max(6.0, box.left()), std::max(metrics.ascent() + 4, box.top() - 2)), text);
+    }
+  }
+
   /// The two directed edges of a link, or one line where both would fall together.
   void addDirections(const QPointF& a, const QPointF& b, QVector<QLineF>& lines) const {
     if (separation_px_ < 1.6) {
@@ -439,6 +517,16 @@ class GraphPainter {
   double separation_px_;  ///< between the two directions of a link
   QRectF seen_;           ///< the widget with a margin
   bool is_crowded_;       ///< so many are seen that each must be cheap
+
+  // From these radii of a hexagon on (pixels), details are drawn.
+  /// Below, dots would hide the links between them.
+  static constexpr double kDotRadius = 1.5;
+  static constexpr double kOutlineRadius = 2.5;
+  static constexpr double kStyleRadius = 4.0;
+  static constexpr double kIdRadius = 8.0;
+  static constexpr double kPortRadius = 26.0;
+  /// More cells than this in view are drawn by simpler means.
+  static constexpr std::size_t kCrowd = 1500;
 
   /// Curves between the ends of cuts help while there are few.
   static constexpr std::size_t kMaxCutCurves = 4;

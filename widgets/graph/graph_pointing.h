@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/controls/selection.h"
-#include "widgets/graph/graph_camera.h"
 #include "widgets/graph/graph_scene.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"

@@ -3,17 +3,19 @@
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_ranges.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/find_cell_field.h"
 #include "widgets/controls/heavy_turn.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
-#include "widgets/graph/graph_coloring_button.h"
 #include "widgets/graph/graph_fit.h"
 #include "widgets/graph/graph_picture.h"
 #include "widgets/graph/graph_pointing.h"
 #include "widgets/style/dressed_theme.h"
 #include "widgets/style/palette.h"
 
+#include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
@@ -25,6 +27,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QPoint>
+#include <QToolButton>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <QWidget>
@@ -39,6 +42,66 @@ class QAction;
 
 namespace hexoderm {
 
+/// The button over the graph that names the colouring; its menu changes it.
+class GraphColoringButton : public QToolButton {
+  Q_OBJECT
+
+ public:
+  explicit GraphColoringButton(QWidget* parent) : QToolButton(parent) {
+    setObjectName(QStringLiteral("graphColoring"));
+    setToolTip(tr("What the colours of links and cells show"));
+    setFocusPolicy(Qt::TabFocus);
+    setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    auto* group = new QActionGroup(menu);
+    bool colors_links = true;
+    for (const ColoringRow& row : coloringTable()) {
+      if (row.graph_title == nullptr) continue;
+      if (std::exchange(colors_links, row.colors_links) != row.colors_links) menu->addSeparator();
+      QAction* action = menu->addAction(coloringName(row.coloring));
+      action->setCheckable(true);
+      group->addAction(action);
+      connect(action, &QAction::triggered, this, [this, coloring = row.coloring] { setColoring(coloring); });
+      actions_.emplace(row.coloring, action);
+    }
+    menu->addSeparator();
+    tree_ = named(menu->addAction(tr("Mark the &shortest paths")), "graphMarksTree");
+    tree_->setCheckable(true);
+    tree_->setChecked(true);
+    tree_->setToolTip(tr("A band under the links on the shortest paths to the origin"));
+    connect(tree_, &QAction::toggled, this, &GraphColoringButton::changed);
+    setMenu(menu);
+    setColoring(Coloring::LinkQuality);
+  }
+
+  [[nodiscard]] Coloring coloring() const { return coloring_; }
+  [[nodiscard]] bool marksTree() const { return tree_->isChecked(); }
+  void setColoring(Coloring coloring) {
+    coloring_ = coloring;
+    actions_.at(coloring)->setChecked(true);
+    setText(tr("Colour: %1 ▾").arg(coloringName(coloring)));
+    setAccessibleName(tr("Colour of the graph: %1").arg(coloringName(coloring)));
+    adjustSize();
+    emit changed();
+  }
+
+  /// The graph can be coloured by body parts only if the skin says which these are.
+  void setBodyPartsKnown(bool known) {
+    QAction* action = actions_.at(Coloring::BodyPart);
+    action->setEnabled(known);
+    action->setToolTip(known ? QString() : tr("This skin does not say which body parts its cells are on"));
+  }
+
+ signals:
+  void changed();
+
+ private:
+  Coloring coloring_ = Coloring::LinkQuality;
+  std::map<Coloring, QAction*> actions_;
+  QAction* tree_ = nullptr;
+};
+
 /// The live graph: the skin as a flat honeycomb of hexagons with IDs. Every link is drawn in both directions with the
 /// colour and line style of its quality, or coloured by another figure; excluded links are grey and crossed. Cuts of
 /// closed surfaces, the origin and the shortest paths are marked. A button over the graph chooses the colours and a
@@ -48,17 +111,8 @@ class GraphView : public QWidget {
 
  public:
   /// `selection` must outlive the view.
-  explicit GraphView(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent),
-        selection_(selection),
-        finder_(new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this)),
-        button_(new GraphColoringButton(this)),
-        draw_soon_(kDrawAfter_ms, [this] {
-          static_cast<void>(currentSheet());
-          update();
-        }) {
-    setObjectName(QStringLiteral("graphView"));
-    setAccessibleName(tr("Skin graph"));
+  explicit GraphView(Selection* selection, QWidget* parent = nullptr) : QWidget(parent), selection_(selection) {
+    setNames(this, QStringLiteral("graphView"), tr("Skin graph"));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -266,8 +320,8 @@ class GraphView : public QWidget {
       findCell();
     } else if (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) {
       QWidget::keyPressEvent(event);
-    } else if (const auto arrow = kArrows.find(event->key()); arrow != kArrows.end()) {
-      if (const auto next = cellToward(*scene_, picked(), arrow->second))
+    } else if (const auto way = directionOfKey(event->key())) {
+      if (const auto next = cellToward(*scene_, picked(), {way->x(), way->y()}))
         selection_->selectCell(scene_->cells()[*next].id);
     } else if (event->key() == Qt::Key_F) {
       fit();
@@ -491,8 +545,8 @@ class GraphView : public QWidget {
   std::shared_ptr<const GraphPaint> paint_ = std::make_shared<GraphPaint>();
   const ScaleRanges* ranges_ = nullptr;
   QString awaited_;
-  FindCellField* finder_;
-  GraphColoringButton* button_;
+  FindCellField* finder_ = new FindCellField([this](CellId id) { return scene_->indexOf(id).has_value(); }, this);
+  GraphColoringButton* button_ = new GraphColoringButton(this);
   QList<QAction*> link_actions_;
   QList<QAction*> cell_actions_;
 
@@ -504,7 +558,10 @@ class GraphView : public QWidget {
   /// then the earlier picture is shown.
   QPixmap sheet_;
   bool is_sheet_current_ = false;
-  HeavyTurn draw_soon_;
+  HeavyTurn draw_soon_{kDrawAfter_ms, [this] {
+                         static_cast<void>(currentSheet());
+                         update();
+                       }};
 
   GraphHit hovered_;
   std::optional<QPoint> pressed_at_;
@@ -518,8 +575,6 @@ class GraphView : public QWidget {
   /// A larger skin takes long to draw.
   static constexpr std::size_t kMaxCellsAtOnce = 300;
   static constexpr int kDrawAfter_ms = 1;  // 0 may be in the turn in which the window is painted
-  static inline const std::map<int, QPointF> kArrows = {
-      {Qt::Key_Left, {-1, 0}}, {Qt::Key_Right, {1, 0}}, {Qt::Key_Up, {0, 1}}, {Qt::Key_Down, {0, -1}}};
 };
 
 }  // namespace hexoderm

@@ -6,11 +6,12 @@
 #include "widgets/coloring/coloring.h"
 #include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/patch/camera_link.h"
 #include "widgets/patch/patch_view.h"
 #include "widgets/style/palette.h"
 #include "widgets/words/formatting.h"
 
+#include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -31,6 +32,51 @@
 
 namespace hexoderm {
 
+/// Two views of one skin look at it from the same side: whoever moves the camera of one moves that of the other.
+class CameraLink {
+ public:
+  /// Both views outlive the link. Without OpenGL it does nothing.
+  CameraLink(PatchView& a, PatchView& b) : views_{&a, &b} {
+    for (std::size_t k = 0; k < 2; ++k) {
+      vtkCamera* camera = views_.at(k)->camera();
+      if (camera != nullptr)
+        observers_.at(k) = camera->AddObserver(vtkCommand::ModifiedEvent, this, &CameraLink::follow);
+    }
+  }
+
+  ~CameraLink() {
+    for (std::size_t k = 0; k < 2; ++k) {
+      if (observers_.at(k) != 0) views_.at(k)->camera()->RemoveObserver(observers_.at(k));
+    }
+  }
+
+  CameraLink(const CameraLink&) = delete;
+  CameraLink& operator=(const CameraLink&) = delete;
+
+ private:
+  void follow(vtkObject* moved, unsigned long /*event*/, void* /*data*/) {
+    if (is_following_) return;
+    is_following_ = true;
+    PatchView& other = *views_.at(moved == views_[0]->camera() ? 1 : 0);
+    auto* from = static_cast<vtkCamera*>(moved);
+    vtkCamera* to = other.camera();
+    const unsigned long before = to->GetMTime();
+    to->SetPosition(from->GetPosition());
+    to->SetFocalPoint(from->GetFocalPoint());
+    to->SetViewUp(from->GetViewUp());
+    to->SetViewAngle(from->GetViewAngle());
+    to->SetParallelProjection(from->GetParallelProjection());
+    to->SetParallelScale(from->GetParallelScale());
+    // A picture of its own, and what depends on its shape (WindowCenter, clipping), stays with each view.
+    if (to->GetMTime() != before) other.redraw();
+    is_following_ = false;
+  }
+
+  std::array<PatchView*, 2> views_;
+  std::array<unsigned long, 2> observers_{};
+  bool is_following_ = false;  ///< what moves now was moved here
+};
+
 class Selection;
 
 /// Before and after: two results of a skin side by side, with cameras, colours and selection in common, or the one of
@@ -49,15 +95,15 @@ class CompareView : public QWidget {
 
   /// `selection` must outlive the view.
   explicit CompareView(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent), before_(new PatchView(selection)), now_(new PatchView(selection)) {
+      : QWidget(parent),
+        before_(named(new PatchView(selection), "compareBefore", tr("The patch before"))),
+        now_(named(new PatchView(selection), "compareNow", tr("The patch now"))) {
     setNames(this, QStringLiteral("compareView"), tr("Before and after"));
     auto* layout = spaced(new QVBoxLayout(this), {10, 8, 10, 8}, 6);
     buildHead(layout);
     auto* panes = spaced(new QHBoxLayout, 8);
     before_pane_ = addPane(panes, "compareBeforeTitle", tr("BEFORE"), before_);
     addPane(panes, "compareNowTitle", tr("NOW"), now_);
-    setNames(before_, QStringLiteral("compareBefore"), tr("The patch before"));
-    setNames(now_, QStringLiteral("compareNow"), tr("The patch now"));
     layout->addLayout(panes, 1);
     summary_->setWordWrap(true);
     layout->addWidget(summary_);
@@ -112,8 +158,7 @@ class CompareView : public QWidget {
   }
 
   static QWidget* addPane(QHBoxLayout* panes, const char* name, const QString& text, PatchView* patch) {
-    auto* title = named(new QLabel(text), name);
-    title->setProperty("caption", true);
+    auto* title = styledAs(named(new QLabel(text), name), "caption");
     title->setTextFormat(Qt::PlainText);
     auto* pane = new QWidget;
     auto* column = spaced(new QVBoxLayout(pane), {0, 0, 0, 0}, 2);

@@ -16,27 +16,22 @@ class CutBar : public QFrame {
   Q_OBJECT
 
  public:
-  explicit CutBar(QWidget* parent = nullptr) : QFrame(parent), slider_(new QSlider(Qt::Horizontal, this)) {
+  explicit CutBar(QWidget* parent = nullptr) : QFrame(parent) {
     setObjectName(QStringLiteral("cutBar"));
     // A plate, so that it is seen over cells.
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);
     auto* layout = spaced(new QHBoxLayout(this), {8, 0, 0, 0}, 6);
-    auto* label = new QLabel(tr("Cut"), this);
-    label->setBuddy(slider_);
-    slider_->setObjectName(QStringLiteral("cutDepth"));
     slider_->setRange(0, kSteps);
     slider_->setPageStep(kSteps / 10);
     slider_->setValue(kSteps / 2);
     slider_->setFixedWidth(110);
     slider_->setFocusPolicy(Qt::StrongFocus);
-    slider_->setAccessibleName(tr("Depth of the cut"));
     slider_->setToolTip(tr("How much of the skin is taken away from in front"));
-    auto* align = named(new QToolButton(this), "cutAlign");
+    auto* align = quiet(new QToolButton(this), "cutAlign");
     align->setText(tr("Face me"));
     align->setToolTip(tr("Turns the cut so that it faces you as you look now"));
-    align->setFocusPolicy(Qt::TabFocus);
-    addWidgets(layout, {label, slider_, align});
+    addWidgets(layout, {labelFor(slider_, tr("Cut")), slider_, align});
     connect(slider_, &QSlider::valueChanged, this, [this] { emit shareChanged(share()); });
     connect(align, &QToolButton::clicked, this, &CutBar::alignRequested);
   }
@@ -50,7 +45,7 @@ class CutBar : public QFrame {
 
  private:
   static constexpr int kSteps = 100;
-  QSlider* slider_;
+  QSlider* slider_ = named(new QSlider(Qt::Horizontal, this), "cutDepth", tr("Depth of the cut"));
 };
 
 }  // namespace hexoderm

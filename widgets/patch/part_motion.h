@@ -3,8 +3,8 @@
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/capture/calm_up.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/patch/arrow_keys.h"
 #include "widgets/scene/part_camera.h"
 #include "widgets/scene/patch_scene.h"
 
@@ -43,8 +43,7 @@ class PartMotion : public QObject {
   /// the picture or the part, and is shown while the part can be turned. `render` asks for a picture soon. All but
   /// `canvas` must outlive this.
   PartMotion(QWidget* view, QWidget* canvas, QToolButton* button, PatchScene& scene, std::function<void()> render)
-      : view_(view), canvas_(canvas), scene_(scene), render_(std::move(render)), button_(button) {
-    button_->setObjectName(QStringLiteral("turnThePart"));
+      : view_(view), canvas_(canvas), scene_(scene), render_(std::move(render)), button_(named(button, "turnThePart")) {
     button_->setText(tr("Turn the part"));
     button_->setCheckable(true);
     button_->setToolTip(

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
 #include "widgets/controls/folding_row.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/patch/cut_bar.h"
@@ -26,7 +25,7 @@ class PatchControls : public QFrame {
   Q_OBJECT
 
  public:
-  explicit PatchControls(QWidget* parent = nullptr) : QFrame(parent), buttons_(new FoldingRow(this)) {
+  explicit PatchControls(QWidget* parent = nullptr) : QFrame(parent) {
     const auto describe = [](QAction* action, const char* name, bool checkable, const QString& tip) {
       action->setObjectName(QLatin1String(name));
       action->setCheckable(checkable);
@@ -181,7 +180,7 @@ class PatchControls : public QFrame {
     menu->addActions({parallel_, cut_});
   }
 
-  FoldingRow* buttons_;
+  FoldingRow* buttons_ = new FoldingRow(this);
   QToolButton* coloring_button_ = nullptr;
   QToolButton* turn_button_ = nullptr;
   QMenu* coloring_menu_ = nullptr;

@@ -1,11 +1,10 @@
 #pragma once
 
 #include "widgets/coloring/coloring.h"
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/figure_card.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
-#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/found_places.h"
 #include "widgets/patch/patch_marks.h"
 #include "widgets/patch/scene_widget.h"
@@ -17,7 +16,7 @@
 
 #include <vtkCommand.h>
 #include <vtkRenderer.h>
-
+#include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QObject>
@@ -33,6 +32,73 @@
 
 namespace hexoderm {
 
+/// Presses of the mouse on the 3D scene that turn nothing: a click on a knob of the axes looks from there, any other is
+/// a click of the left button or asks for the menu by the right one, when it is let go where it was pressed. Lights the
+/// knob under the mouse.
+class PatchClicks : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `render` asks for a picture soon. All must outlive this.
+  PatchClicks(SceneWidget* canvas, PatchScene& scene, std::function<void()> render)
+      : canvas_(canvas), scene_(scene), render_(std::move(render)) {
+    canvas_->installEventFilter(this);
+  }
+
+ signals:
+  /// Positions on the canvas.
+  void clicked(const QPoint& position);
+  void menuWanted(const QPoint& position);
+
+ protected:
+  bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+    constexpr int kClickSlack = 3;  // pixels that a hand trembles within a click
+    switch (event->type()) {
+      case QEvent::MouseButtonPress:
+        pressed_at_ = static_cast<QMouseEvent*>(event)->pos();
+        return false;
+      case QEvent::MouseMove:
+        hoverAt(static_cast<QMouseEvent*>(event)->pos());
+        return false;
+      case QEvent::Leave:
+        hoverAt({-1, -1});
+        return false;
+      case QEvent::ContextMenu:  // comes when the button goes down, and dragging with it zooms
+        return static_cast<QContextMenuEvent*>(event)->reason() == QContextMenuEvent::Mouse;
+      case QEvent::MouseButtonRelease: {
+        const auto* mouse = static_cast<QMouseEvent*>(event);
+        if ((mouse->pos() - pressed_at_).manhattanLength() > kClickSlack) return false;
+        if (mouse->button() == Qt::LeftButton && !turnByKnobAt(mouse->pos())) emit clicked(mouse->pos());
+        if (mouse->button() == Qt::RightButton) emit menuWanted(mouse->pos());
+        return false;
+      }
+      default:
+        return false;
+    }
+  }
+
+ private:
+  /// Turns the picture if there is a knob.
+  bool turnByKnobAt(const QPoint& position) {
+    const Eigen::Vector2d at = canvas_->pixelAt(position);
+    const auto wanted = scene_.viewAt(at.x(), at.y());
+    if (!wanted) return false;
+    scene_.showStandardView(*wanted);
+    render_();
+    return true;
+  }
+
+  void hoverAt(const QPoint& position) {
+    const Eigen::Vector2d at = canvas_->pixelAt(position);
+    if (scene_.hoverAxes(at.x(), at.y())) render_();
+  }
+
+  SceneWidget* canvas_;
+  PatchScene& scene_;
+  std::function<void()> render_;
+  QPoint pressed_at_;
+};
+
 /// Pointing in the 3D view: what is under the mouse is outlined, with its figures on a card; what is picked is outlined
 /// and, if that is wanted, has a card with its figures and neighbours; arrow keys walk from neighbour to neighbour; and
 /// the camera goes to what is sought. The scene is drawn anew only where the camera moves.
@@ -43,15 +109,7 @@ class PatchPointing : public QObject {
   /// `canvas` lies inside `view` and fills it; `render` asks for a picture soon. All but `canvas` must outlive this.
   PatchPointing(QWidget* view, SceneWidget* canvas, PatchScene& scene, Selection* selection,
                 std::function<void()> render)
-      : view_(view),
-        canvas_(canvas),
-        scene_(scene),
-        selection_(selection),
-        render_(std::move(render)),
-        marks_(new PatchMarks(view)),
-        hover_card_(new FigureCard(FigureCard::Kind::Passing, view)),
-        figure_card_(new FigureCard(FigureCard::Kind::Kept, view)),
-        escape_(new QShortcut(QKeySequence(Qt::Key_Escape), view)) {
+      : view_(view), canvas_(canvas), scene_(scene), selection_(selection), render_(std::move(render)) {
     figure_card_->setAccessibleName(tr("Figures of what is picked"));
     setUpOnce(look_soon_, kLook_ms, this, &PatchPointing::look);
     glide_time_.setUpdateInterval(kGlideFrame_ms);
@@ -502,10 +560,10 @@ class PatchPointing : public QObject {
   PatchScene& scene_;
   Selection* selection_;
   std::function<void()> render_;
-  PatchMarks* marks_;
-  FigureCard* hover_card_;
-  FigureCard* figure_card_;
-  QShortcut* escape_;
+  PatchMarks* marks_ = new PatchMarks(view_);
+  FigureCard* hover_card_ = new FigureCard(FigureCard::Kind::Passing, view_);
+  FigureCard* figure_card_ = new FigureCard(FigureCard::Kind::Kept, view_);
+  QShortcut* escape_ = new QShortcut(QKeySequence(Qt::Key_Escape), view_);
   unsigned long observer_ = 0;
 
   Coloring coloring_ = Coloring::LinkQuality;

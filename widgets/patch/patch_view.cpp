@@ -1,6 +1,7 @@
 #include "widgets/patch/patch_view.h"
 
-#include "widgets/coloring/coloring_words.h"
+#include "hexoderm/base/latest_worker.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/selection.h"
@@ -9,35 +10,121 @@
 #include "widgets/patch/opengl_info.h"
 #include "widgets/patch/part_motion.h"
 #include "widgets/patch/patch_captions.h"
-#include "widgets/patch/patch_clicks.h"
 #include "widgets/patch/patch_controls.h"
+#include "widgets/patch/patch_legend.h"
 #include "widgets/patch/patch_legend_view.h"
 #include "widgets/patch/patch_pointing.h"
 #include "widgets/patch/patch_words.h"
-#include "widgets/patch/scene_legend.h"
-#include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
 #include "widgets/scene/patch_scene.h"
-#include "widgets/scene/scene_builder.h"
+#include "widgets/scene/scene_content.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/style/dressed_theme.h"
 
-#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <QAction>
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QCoreApplication>
+#include <QEvent>
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMenu>
+#include <QObject>
 #include <QPainter>
 #include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
 #include <utility>
 
 namespace hexoderm {
+
+/// Makes the content of large skins on a thread of its own. The newest reconstruction wins: one whose content was not
+/// begun when a newer one comes is dropped.
+class SceneBuilder {
+ public:
+  using Content = std::shared_ptr<const SceneContent>;
+
+  /// `deliver` is called with each result, on the thread that made the builder (which needs an event loop), and never
+  /// after the destructor, which waits for the content being made.
+  explicit SceneBuilder(std::function<void(Content)> deliver) : deliver_(std::move(deliver)) {}
+  SceneBuilder(const SceneBuilder&) = delete;
+  SceneBuilder& operator=(const SceneBuilder&) = delete;
+
+  void submit(std::shared_ptr<const Reconstruction> reconstruction) {
+    newest_ = reconstruction;
+    worker_.submit(
+        [this, reconstruction = std::move(reconstruction), generation = generation_](const std::stop_token& stop) {
+          Content content = makeSceneContent(reconstruction);
+          if (stop.stop_requested()) return;
+          QMetaObject::invokeMethod(
+              &receiver_, [this, content = std::move(content), generation] { take(content, generation); },
+              Qt::QueuedConnection);
+        });
+  }
+
+  /// Forgets what is waiting, and what is being made.
+  void cancel() {
+    ++generation_;
+    worker_.cancel();
+    QCoreApplication::removePostedEvents(&receiver_, QEvent::MetaCall);
+    newest_.reset();
+  }
+
+  /// Something was submitted and has not been delivered yet.
+  [[nodiscard]] bool isBusy() const { return newest_ != nullptr; }
+  /// Waits for what was submitted and delivers it now: for pictures, which must show what the tables beside them do.
+  void finish() {
+    worker_.waitUntilIdle();
+    QCoreApplication::sendPostedEvents(&receiver_, QEvent::MetaCall);
+  }
+
+ private:
+  void take(const Content& content, std::size_t generation) {
+    if (generation != generation_) return;
+    if (content->reconstruction == newest_) newest_.reset();
+    deliver_(content);
+  }
+
+  std::function<void(Content)> deliver_;
+  std::size_t generation_ = 0;                    ///< content of an earlier one was cancelled
+  QObject receiver_;                              ///< receiver of the posted deliveries, which go with it
+  std::shared_ptr<const Reconstruction> newest_;  ///< until it is delivered
+  LatestWorker worker_;                           // last: it has ended before anything that it uses is destroyed
+};
+
 namespace {
+
+/// What is to be explained of a scene that shows cells, in this colouring.
+LegendContent legendOf(const PatchScene& scene, Coloring coloring) {
+  LegendContent content;
+  const SceneContent& shown = *scene.content();
+  content.coloring = coloring;
+  content.patches = shown.reconstruction->patches.size();
+  content.some_links = !shown.signs.links.empty();
+  for (const CellSign& sign : shown.signs.cells) {
+    content.some_by_links = content.some_by_links || sign.by_links;
+    content.some_faulty = content.some_faulty || sign.faulty;
+    content.some_doubtful = content.some_doubtful || sign.doubtful;
+  }
+  content.scale = scene.scale();
+  // Where nothing is known, as of a single moment, there is no range to fit, and one would be made up.
+  if (content.scale && !content.scale->extremes && !content.scale->is_fixed) {
+    content.scale.reset();
+    content.some_unknown = true;
+  } else if (content.scale) {
+    content.some_unknown = content.scale->counts.unknown > 0;
+  } else if (coloring == Coloring::LinkQuality) {
+    content.some_unknown = std::ranges::any_of(shown.figures.quality, [](const auto& quality) { return !quality; });
+  } else if (coloring == Coloring::BodyPart) {
+    for (const std::string& name : shown.figures.body_parts) content.body_parts.push_back(QString::fromStdString(name));
+    content.some_unknown = std::ranges::any_of(shown.figures.body_part, [](const auto& part) { return !part; });
+  }
+  return content;
+}
 
 /// One kind of readings is there before or after, but not both.
 bool comesOrGoes(const CellReadings* before, const CellReadings* after) {
@@ -124,13 +211,9 @@ struct PatchView::Parts : public QObject {
 
   void buildScene(QGridLayout* layout) {
     canvas = std::make_unique<SceneWidget>(opengl.software, view);
-    vtkRenderWindow* window = canvas->renderWindow();
     canvas->setAccessibleName(PatchView::tr("Skin patch in 3D"));
-    canvas->setFocusPolicy(Qt::NoFocus);
-    canvas->installEventFilter(this);
-    window->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
     scene = std::make_unique<PatchScene>();
-    scene->attachTo(window);
+    scene->attachTo(canvas->renderWindow());
     clicks = std::make_unique<PatchClicks>(canvas.get(), *scene, [this] { requestRender(); });
     builder = std::make_unique<SceneBuilder>(
         [this](std::shared_ptr<const SceneContent> content) { setContent(std::move(content)); });
@@ -353,22 +436,6 @@ struct PatchView::Parts : public QObject {
     scene->setColors(sceneColors(themeOf(view->palette())));
     canvas->setBackground(Colors::of(view->palette()).scene_bottom);
     requestRender();
-  }
-
-  bool eventFilter(QObject*, QEvent* event) override {
-    switch (event->type()) {
-      case QEvent::KeyPress:
-      case QEvent::KeyRelease:
-        event->ignore();  // so that it goes on to the window
-        return true;
-      case QEvent::Show:  // shows changes made while it was hidden
-      case QEvent::Resize:
-      case QEvent::ScreenChangeInternal:  // which may be a denser one
-        requestRender();
-        return false;
-      default:
-        return false;
-    }
   }
 };
 

@@ -3,8 +3,7 @@
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/coloring/coloring.h"
 #include "widgets/scene/patch_moment.h"
-#include "widgets/scene/patch_overlays.h"
-#include "widgets/scene/standard_view.h"
+#include "widgets/scene/scene_items.h"
 
 #include <QImage>
 #include <QWidget>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hexoderm/solve/metrics/overlays.h"
-#include "widgets/scene/patch_overlays.h"
+#include "widgets/scene/patch_moment.h"
 #include "widgets/scene/scene_items.h"
 
 #include <QString>

@@ -1,6 +1,6 @@
 #include "widgets/plot/plot_data.h"
 
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/words/formatting.h"
 
 #include <QCoreApplication>

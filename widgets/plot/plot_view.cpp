@@ -1,6 +1,6 @@
 #include "widgets/plot/plot_view.h"
 
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/plot/plot_pointing.h"
 #include "widgets/style/dressed_theme.h"
@@ -90,15 +90,14 @@ struct PlotView::Parts : public QObject {
   QComboBox* subject_box = figureBox("plotSubject", PlotView::tr("What is plotted"));
   QComboBox* x_box = figureBox("plotAcross", PlotView::tr("Figure along the plot"));
   QComboBox* y_box = figureBox("plotUp", PlotView::tr("Figure up the plot"));
-  QwtPlot* plot = new QwtPlot;
+  QwtPlot* plot = named(new QwtPlot, "figurePlot");
   QwtPlotGrid* grid = new QwtPlotGrid;
   PlotPicture* picture = new PlotPicture;
-  QLabel* summary = paragraph("plotSummary");
+  QLabel* summary = styledAs(paragraph("plotSummary"), "muted");
   PlotPointing pointing{plot, data, marks, *selection};
   QTimer readings_soon;
 
   void build() {
-    plot->setObjectName(QStringLiteral("figurePlot"));
     plot->setAutoReplot(false);
     plot->setMinimumSize(120, 60);
     auto* canvas = static_cast<QwtPlotCanvas*>(plot->canvas());
@@ -117,7 +116,6 @@ struct PlotView::Parts : public QObject {
     grid->attach(plot);
     picture->attach(plot);
     picture->show(&data, &marks);
-    summary->setProperty("muted", true);
 
     // The boxes are the titles of the axes, and stand where these would.
     auto* layout = spaced(new QVBoxLayout(view), {10, 4, 10, 6}, 3);

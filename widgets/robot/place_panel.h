@@ -82,21 +82,7 @@ class PlacePanel : public QWidget {
 
  public:
   /// `selection` must outlive the panel: its cell is proposed for known points.
-  explicit PlacePanel(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent),
-        selection_(selection),
-        robot_(
-            new VerifySection(tr("Robot"), tr("Which robot wears the skin?"), QStringLiteral("placeRobot"), selection)),
-        joints_(new VerifySection(tr("Joint angles"), tr("How did it stand in each pose?"),
-                                  QStringLiteral("placeJoints"), selection)),
-        patch_(new VerifySection(tr("Patch"), tr("Which patch is to be placed?"), QStringLiteral("placePatch"),
-                                 selection)),
-        link_(new VerifySection(tr("Link"), tr("Which link saw the same gravity?"), QStringLiteral("placeLink"),
-                                selection)),
-        known_(new VerifySection(tr("What is known"), tr("What says where on the link it lies?"),
-                                 QStringLiteral("placeKnown"), selection)),
-        places_(new VerifySection(tr("Place"), tr("Where on the link can it lie?"), QStringLiteral("placePlaces"),
-                                  selection)) {
+  explicit PlacePanel(Selection* selection, QWidget* parent = nullptr) : QWidget(parent), selection_(selection) {
     setObjectName(QStringLiteral("placePanel"));
     buildRobot();
     buildJoints();
@@ -200,11 +186,7 @@ class PlacePanel : public QWidget {
 
  private:
   void buildRobot() {
-    choose_robot_ = namedField(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
-    package_ = namedField(new QPushButton(tr("Package folder…")), "placePackage",
-                          tr("Say in which folder a package of the robot is"));
     package_->setToolTip(tr("Where a URDF says package://NAME/…: the folder called NAME"));
-    remove_robot_ = namedField(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
     robot_->addRow({choose_robot_, remove_robot_});
     robot_->addRow({package_});
     connect(choose_robot_, &QPushButton::clicked, this, &PlacePanel::robotWanted);
@@ -213,18 +195,13 @@ class PlacePanel : public QWidget {
   }
 
   void buildJoints() {
-    choose_joints_ =
-        namedField(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
     joints_->addRow({choose_joints_});
     connect(choose_joints_, &QPushButton::clicked, this, &PlacePanel::jointsWanted);
-    joint_table_ = new JointTable(this);
-    joint_view_ = namedField(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
     joint_view_->setToolTip(
         tr("Type angles, or paste a block of them from a spreadsheet; an empty cell is an angle that is not known"));
     joints_->addRow()->addWidget(joint_view_, 1);
     connect(joint_table_, &JointTable::typed, this, &PlacePanel::anglesTyped);
     connect(joint_table_, &JointTable::refused, this, &PlacePanel::anglesRefused);
-    pose_ = namedField(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
     makeNarrow(pose_);
     QHBoxLayout* pose = joints_->addRow();
     pose->addWidget(labelFor(pose_, tr("Drawn in")));
@@ -234,7 +211,6 @@ class PlacePanel : public QWidget {
   }
 
   void buildPatch() {
-    patch_list_ = namedField(new QComboBox, "placePatchList", tr("Patch that is placed"));
     makeNarrow(patch_list_);
     patch_->addRow()->addWidget(patch_list_, 1);
     connect(patch_list_, qOverload<int>(&QComboBox::activated), this,
@@ -242,7 +218,6 @@ class PlacePanel : public QWidget {
   }
 
   void buildLink() {
-    links_ = choiceList("placeLinks", tr("Links that the patch may be on"));
     links_->setToolTip(tr("Return or a click puts the patch on a link"));
     link_->addRow()->addWidget(links_, 1);
     const auto choose = [this](QListWidgetItem* item) {
@@ -253,7 +228,6 @@ class PlacePanel : public QWidget {
     };
     connect(links_, &QListWidget::itemClicked, this, choose);
     connect(links_, &QListWidget::itemActivated, this, choose);
-    other_link_ = namedField(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
     makeNarrow(other_link_);
     QHBoxLayout* row = link_->addRow();
     row->addWidget(labelFor(other_link_, tr("On link")));
@@ -263,14 +237,9 @@ class PlacePanel : public QWidget {
   }
 
   void buildKnown() {
-    by_surface_ = new QCheckBox(tr("Its back lies on the link's surface"));
-    by_surface_->setObjectName(QStringLiteral("placeBySurface"));
     known_->addRow()->addWidget(by_surface_);
     connect(by_surface_, &QCheckBox::clicked, this, &PlacePanel::surfaceChosen);
-    known_list_ = choiceList("placeKnownList", tr("Known points and distances"));
     known_->addRow()->addWidget(known_list_, 1);
-    remove_known_ =
-        namedField(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
     known_->addRow({remove_known_});
     connect(known_list_, &QListWidget::currentRowChanged, this, &PlacePanel::refreshControls);
     connect(remove_known_, &QPushButton::clicked, this, [this] {
@@ -290,16 +259,9 @@ class PlacePanel : public QWidget {
   }
 
   void buildPoint() {
-    point_cell_ = cellField("placePointCell", tr("Cell at the known point"));
-    point_mm_ = {lengthField("placePointX", tr("x of the point in the link's frame"), -kMaxLength_mm),
-                 lengthField("placePointY", tr("y of the point in the link's frame"), -kMaxLength_mm),
-                 lengthField("placePointZ", tr("z of the point in the link's frame"), -kMaxLength_mm)};
-    point_sigma_mm_ = lengthField("placePointSigma", tr("Uncertainty of the point, 1 sigma"), 0.1);
     point_sigma_mm_->setValue(1);
-    pick_ = namedField(new QPushButton(tr("Pick in 3D")), "placePick", tr("Pick the point on the robot"));
     pick_->setCheckable(true);
     pick_->setToolTip(tr("The next click on the robot fills in x, y and z"));
-    add_point_ = namedField(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
     QGridLayout* grid = gridOfFields();
     addField(grid, 0, 0, tr("Cell"), point_cell_);
     addField(grid, 0, 2, tr("±"), point_sigma_mm_);
@@ -323,15 +285,9 @@ class PlacePanel : public QWidget {
   }
 
   void buildDistance() {
-    from_cell_ = cellField("placeFromCell", tr("Cell of this patch"));
-    to_cell_ = cellField("placeToCell", tr("Cell of another patch on the same link"));
-    distance_mm_ = lengthField("placeDistance", tr("Measured distance of the two cells"), 0);
     distance_mm_->setSpecialValueText(tr("not measured"));
     letTypingReplaceSpecialText(distance_mm_);
-    distance_sigma_mm_ = lengthField("placeDistanceSigma", tr("Uncertainty of the distance, 1 sigma"), 0.1);
     distance_sigma_mm_->setValue(1);
-    add_distance_ =
-        namedField(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
     QGridLayout* grid = gridOfFields();
     addField(grid, 0, 0, tr("Cell"), from_cell_);
     addField(grid, 0, 2, tr("to"), to_cell_);
@@ -348,16 +304,11 @@ class PlacePanel : public QWidget {
   }
 
   void buildPlaces() {
-    place_list_ = choiceList("placePlaceList", tr("Places that fit, the best first"));
     place_list_->setToolTip(tr("Pointing at a place shows it; Return or a click takes it"));
     place_list_->setMouseTracking(true);
     place_list_->viewport()->installEventFilter(this);
     places_->addRow()->addWidget(place_list_, 1);
-    remove_place_ =
-        namedField(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
-    move_ = namedField(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
     move_->setCheckable(true);
-    look_ = namedField(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
     places_->addRow({move_});
     places_->addRow({look_, remove_place_});
     connect(move_, &QPushButton::toggled, this, &PlacePanel::movingChanged);
@@ -436,51 +387,64 @@ class PlacePanel : public QWidget {
 
   Selection* selection_;
   PlaceStand stand_;
-  VerifySection* robot_;
-  VerifySection* joints_;
-  VerifySection* patch_;
-  VerifySection* link_;
-  VerifySection* known_;
-  VerifySection* places_;
-  QPushButton* choose_robot_;
-  QPushButton* package_;
-  QPushButton* remove_robot_;
-  QPushButton* choose_joints_;
-  JointTable* joint_table_;
-  JointTableView* joint_view_;
-  QComboBox* pose_;
-  QComboBox* patch_list_;
-  QListWidget* links_;
-  QComboBox* other_link_;
-  QCheckBox* by_surface_;
-  QListWidget* known_list_;
-  QPushButton* remove_known_;
-  QSpinBox* point_cell_;
-  std::array<QDoubleSpinBox*, 3> point_mm_;
-  QDoubleSpinBox* point_sigma_mm_;
-  QPushButton* pick_;
-  QPushButton* add_point_;
-  QSpinBox* from_cell_;
-  QSpinBox* to_cell_;
-  QDoubleSpinBox* distance_mm_;
-  QDoubleSpinBox* distance_sigma_mm_;
-  QPushButton* add_distance_;
-  QListWidget* place_list_;
-  QPushButton* remove_place_;
-  QPushButton* move_;
-  QPushButton* look_;
+  VerifySection* robot_ =
+      new VerifySection(tr("Robot"), tr("Which robot wears the skin?"), QStringLiteral("placeRobot"), selection_);
+  VerifySection* joints_ = new VerifySection(tr("Joint angles"), tr("How did it stand in each pose?"),
+                                             QStringLiteral("placeJoints"), selection_);
+  VerifySection* patch_ =
+      new VerifySection(tr("Patch"), tr("Which patch is to be placed?"), QStringLiteral("placePatch"), selection_);
+  VerifySection* link_ =
+      new VerifySection(tr("Link"), tr("Which link saw the same gravity?"), QStringLiteral("placeLink"), selection_);
+  VerifySection* known_ = new VerifySection(tr("What is known"), tr("What says where on the link it lies?"),
+                                            QStringLiteral("placeKnown"), selection_);
+  VerifySection* places_ =
+      new VerifySection(tr("Place"), tr("Where on the link can it lie?"), QStringLiteral("placePlaces"), selection_);
+  QPushButton* choose_robot_ =
+      named(new QPushButton(tr("Choose URDF…")), "placeChooseRobot", tr("Choose the robot's URDF"));
+  QPushButton* package_ = named(new QPushButton(tr("Package folder…")), "placePackage",
+                                tr("Say in which folder a package of the robot is"));
+  QPushButton* remove_robot_ = named(new QPushButton(tr("Remove")), "placeRemoveRobot", tr("Remove the robot"));
+  QPushButton* choose_joints_ =
+      named(new QPushButton(tr("Choose CSV…")), "placeChooseJoints", tr("Choose a table of joint angles"));
+  JointTable* joint_table_ = new JointTable(this);
+  JointTableView* joint_view_ =
+      named(new JointTableView(joint_table_), "placeJointTable", tr("Joint angles of the poses"));
+  QComboBox* pose_ = named(new QComboBox, "placePose", tr("Pose in which the robot is drawn"));
+  QComboBox* patch_list_ = named(new QComboBox, "placePatchList", tr("Patch that is placed"));
+  QListWidget* links_ = choiceList("placeLinks", tr("Links that the patch may be on"));
+  QComboBox* other_link_ = named(new QComboBox, "placeOtherLink", tr("Any link of the robot"));
+  QCheckBox* by_surface_ = named(new QCheckBox(tr("Its back lies on the link's surface")), "placeBySurface");
+  QListWidget* known_list_ = choiceList("placeKnownList", tr("Known points and distances"));
+  QPushButton* remove_known_ =
+      named(new QPushButton(tr("Remove")), "placeRemoveKnown", tr("Remove the picked point or distance"));
+  QSpinBox* point_cell_ = cellField("placePointCell", tr("Cell at the known point"));
+  std::array<QDoubleSpinBox*, 3> point_mm_ = {
+      lengthField("placePointX", tr("x of the point in the link's frame"), -kMaxLength_mm),
+      lengthField("placePointY", tr("y of the point in the link's frame"), -kMaxLength_mm),
+      lengthField("placePointZ", tr("z of the point in the link's frame"), -kMaxLength_mm)};
+  QDoubleSpinBox* point_sigma_mm_ = lengthField("placePointSigma", tr("Uncertainty of the point, 1 sigma"), 0.1);
+  QPushButton* pick_ = named(new QPushButton(tr("Pick in 3D")), "placePick", tr("Pick the point on the robot"));
+  QPushButton* add_point_ = named(new QPushButton(tr("Add point")), "placeAddPoint", tr("Add the known point"));
+  QSpinBox* from_cell_ = cellField("placeFromCell", tr("Cell of this patch"));
+  QSpinBox* to_cell_ = cellField("placeToCell", tr("Cell of another patch on the same link"));
+  QDoubleSpinBox* distance_mm_ = lengthField("placeDistance", tr("Measured distance of the two cells"), 0);
+  QDoubleSpinBox* distance_sigma_mm_ =
+      lengthField("placeDistanceSigma", tr("Uncertainty of the distance, 1 sigma"), 0.1);
+  QPushButton* add_distance_ =
+      named(new QPushButton(tr("Add distance")), "placeAddDistance", tr("Add the measured distance"));
+  QListWidget* place_list_ = choiceList("placePlaceList", tr("Places that fit, the best first"));
+  QPushButton* remove_place_ =
+      named(new QPushButton(tr("Take away")), "placeRemovePlace", tr("Take the patch away from its place"));
+  QPushButton* move_ =
+      named(new QPushButton(tr("Move by hand")), "placeMove", tr("Move the patch over the link by keys"));
+  QPushButton* look_ =
+      named(new QPushButton(tr("Look closely")), "placeLook", tr("Look closely at the patch on the robot"));
 
   static constexpr int kMaxRowsInList = 6;
   static constexpr double kMaxLength_mm = 1e5;
 
-  template <class Widget>
-  static Widget* namedField(Widget* widget, const char* object_name, const QString& accessible_name) {
-    setNames(widget, QLatin1String(object_name), accessible_name);
-    return widget;
-  }
-
   static QDoubleSpinBox* lengthField(const char* object_name, const QString& accessible_name, double least_mm) {
-    auto* field = namedField(new QDoubleSpinBox, object_name, accessible_name);
+    auto* field = named(new QDoubleSpinBox, object_name, accessible_name);
     field->setRange(least_mm, kMaxLength_mm);
     field->setDecimals(1);
     field->setSuffix(PlacePanel::tr(" mm"));
@@ -490,7 +454,7 @@ class PlacePanel : public QWidget {
   }
 
   static QSpinBox* cellField(const char* object_name, const QString& accessible_name) {
-    auto* field = namedField(new QSpinBox, object_name, accessible_name);
+    auto* field = named(new QSpinBox, object_name, accessible_name);
     field->setRange(1, std::numeric_limits<int>::max());
     field->setGroupSeparatorShown(false);
     field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -520,7 +484,7 @@ class PlacePanel : public QWidget {
   };
 
   static ChoiceList* choiceList(const char* object_name, const QString& accessible_name) {
-    auto* list = namedField(new ChoiceList, object_name, accessible_name);
+    auto* list = named(new ChoiceList, object_name, accessible_name);
     list->setWordWrap(true);
     list->setResizeMode(QListView::Adjust);
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -116,8 +116,18 @@ struct RobotScene::Parts {
   };
   std::optional<Look> look_pending;
 
-  Parts();
-  ~Parts();
+  Parts() {
+    addSceneLights(renderer);
+    renderer->GradientBackgroundOn();
+    skin.actor->PickableOff();
+    skin.property()->EdgeVisibilityOn();
+    renderer->AddActor(skin.actor);
+    observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
+  }
+  ~Parts() {
+    renderer->RemoveObserver(observer);
+    if (window) window->RemoveRenderer(renderer);
+  }
   void beforeRender() {
     moveCamera();
     renderer->ResetCameraClippingRange();
@@ -253,20 +263,6 @@ struct RobotScene::Parts {
     return picture.skin && patch.patch < picture.skin->patches.size() && patch.link < picture.T_w_l.size();
   }
 };
-
-RobotScene::Parts::Parts() {
-  addSceneLights(renderer);
-  renderer->GradientBackgroundOn();
-  skin.actor->PickableOff();
-  skin.property()->EdgeVisibilityOn();
-  renderer->AddActor(skin.actor);
-  observer = renderer->AddObserver(vtkCommand::StartEvent, this, &Parts::beforeRender);
-}
-
-RobotScene::Parts::~Parts() {
-  renderer->RemoveObserver(observer);
-  if (window) window->RemoveRenderer(renderer);
-}
 
 RobotScene::RobotScene() : parts_(std::make_unique<Parts>()) {}
 

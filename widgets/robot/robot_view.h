@@ -1,15 +1,14 @@
 #pragma once
 
 #include "hexoderm/base/units.h"
+#include "widgets/controls/arrow_keys.h"
 #include "widgets/controls/heavy_turn.h"
-#include "widgets/patch/arrow_keys.h"
 #include "widgets/patch/opengl_info.h"
-#include "widgets/patch/scene_look.h"
 #include "widgets/patch/scene_widget.h"
 #include "widgets/robot/robot_scene.h"
+#include "widgets/style/color_maps.h"
 #include "widgets/style/dressed_theme.h"
 
-#include <vtkRenderWindowInteractor.h>
 #include <QImage>
 #include <QKeyEvent>
 #include <QLabel>
@@ -120,14 +119,6 @@ class RobotView : public QWidget {
   bool eventFilter(QObject*, QEvent* event) override {
     constexpr int kClickSlack = 3;  // pixels that a hand trembles within a click
     switch (event->type()) {
-      case QEvent::KeyPress:
-      case QEvent::KeyRelease:
-        event->ignore();  // so that it goes on to the window
-        return true;
-      case QEvent::Show:
-      case QEvent::Resize:
-        requestRender();
-        return false;
       case QEvent::MouseButtonPress: {
         const auto* mouse = static_cast<QMouseEvent*>(event);
         pressed_at_ = mouse->pos();
@@ -197,9 +188,7 @@ class RobotView : public QWidget {
     }
     canvas_ = new SceneWidget(opengl.software, this);
     canvas_->setAccessibleName(accessibleName());
-    canvas_->setFocusPolicy(Qt::NoFocus);
     canvas_->installEventFilter(this);
-    canvas_->renderWindow()->GetInteractor()->SetInteractorStyle(makeSceneInteractorStyle());
     scene_ = std::make_unique<RobotScene>();
     scene_->attachTo(canvas_->renderWindow());
     layout->addWidget(canvas_);

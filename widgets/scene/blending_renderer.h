@@ -1,5 +1,6 @@
 #pragma once
 
+#include <vtkObjectFactory.h>
 #include <vtkOpenGLRenderer.h>
 
 namespace hexoderm {
@@ -10,9 +11,11 @@ namespace hexoderm {
 /// things are of one colour each, so that no order of them would be seen.
 class BlendingRenderer : public vtkOpenGLRenderer {
  public:
-  static BlendingRenderer* New();
+  static BlendingRenderer* New() { VTK_STANDARD_NEW_BODY(BlendingRenderer); }
 
-  void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* framebuffer) override;
+  void DeviceRenderTranslucentPolygonalGeometry(vtkFrameBufferObjectBase* /*framebuffer*/) override {
+    UpdateTranslucentPolygonalGeometry();
+  }
 };
 
 }  // namespace hexoderm

@@ -32,4 +32,11 @@ vtkSmartPointer<vtkPolyData> makePortMarks(const SceneContent& content, const st
 vtkSmartPointer<vtkPolyData> makeOriginMarks(const SceneContent& content, const std::vector<Rgb>& front_colors,
                                              const SceneColors& colors);
 
+/// The signs on cells and links that findings are about (SkinSigns), flat on the faces in the colour that stands out
+/// from each, so that no finding hangs on a colour: a cell that is placed through its links is hatched, one with an
+/// error is crossed from corner to corner, one with a warning has a triangle, and a link has a cross in a disc at both
+/// of its ports. The middle of a face stays free for its ID. Both faces of a prism have them. No Qt, no OpenGL.
+vtkSmartPointer<vtkPolyData> makeSigns(const SceneContent& content, const std::vector<Rgb>& front_colors,
+                                       const SceneColors& colors);
+
 }  // namespace hexoderm

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "hexoderm/device/ground_truth.h"
 #include "hexoderm/device/sample_frame.h"
+#include "hexoderm/solve/checks/evaluation.h"
 #include "widgets/coloring/coloring.h"
 
 #include <Eigen/Core>
@@ -10,6 +12,18 @@
 #include <vector>
 
 namespace hexoderm {
+
+/// Things that lie over a patch: results and truths about the reconstruction that is shown, which is no part of this
+/// value. The caller brings them up to date, or takes them back, when another reconstruction is shown. Null members are
+/// not there; two values are equal if they hold the same objects.
+struct PatchOverlays {
+  std::shared_ptr<const GroundTruth> truth;                   ///< placements of a simulated skin, drawn as outlines
+  std::shared_ptr<const SurfaceEvaluation> surface;           ///< fitted to a patch
+  std::shared_ptr<const LoopEvaluation> loop;                 ///< its gap is drawn
+  std::shared_ptr<const std::vector<Comparison>> comparison;  ///< with another calibration, per patch
+
+  friend bool operator==(const PatchOverlays&, const PatchOverlays&) = default;
+};
 
 /// The state of a patch that changes from moment to moment while a skin is connected, and with the picked pose. Cheap
 /// to copy. Up directions are unit vectors in the frame of the largest patch.

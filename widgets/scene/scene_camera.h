@@ -5,8 +5,8 @@
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_corners.h"
 #include "widgets/scene/scene_ghost.h"
+#include "widgets/scene/scene_items.h"
 #include "widgets/scene/scene_sight.h"
-#include "widgets/scene/standard_view.h"
 #include "widgets/style/of_enum.h"
 
 #include <vtkCamera.h>

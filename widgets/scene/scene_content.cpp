@@ -187,44 +187,6 @@ vtkSmartPointer<vtkPolyData> makePrisms(const SceneLayout& layout) {
   return data;
 }
 
-const SceneCell* SceneLayout::find(CellId id) const {
-  const auto found = index.find(id);
-  return found == index.end() ? nullptr : &cells[found->second];
-}
-
-std::vector<std::size_t> SceneLayout::notPlaced() const {
-  std::vector<std::size_t> patches;
-  for (std::size_t p = 0; p < boxes.size(); ++p) {
-    if (p != largest && !boxes[p].isEmpty()) patches.push_back(p);
-  }
-  return patches;
-}
-
-std::vector<std::size_t> SceneLayout::framed() const {
-  constexpr std::size_t kMax = 200;
-  std::vector<std::size_t> patches = notPlaced();
-  if (patches.size() > kMax) patches.clear();
-  return patches;
-}
-
-std::optional<Eigen::Vector3d> SceneContent::portPoint(const LinkEnd& end) const {
-  const SceneCell* cell = layout.find(end.cell);
-  const Port* port = reconstruction->model->findPort(end.port);
-  return cell != nullptr && port != nullptr ? std::optional(cell->T_s_u * port->vector_m) : std::nullopt;
-}
-
-std::array<Eigen::Vector3d, 8> SceneContent::frameCorners(std::size_t patch) const {
-  constexpr double kRoom = 0.4;  // between the frame and the cells, in sides of a cell
-  const Eigen::AlignedBox3d& box = layout.boxes.at(patch);
-  const Eigen::Vector3d room = Eigen::Vector3d::Constant(kRoom * reconstruction->model->side_m);
-  const std::array<Eigen::Vector3d, 2> ends = {box.min() - room, box.max() + room};
-  std::array<Eigen::Vector3d, 8> corners;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    corners.at(k) = {ends.at(k & 1U).x(), ends.at(k >> 1U & 1U).y(), ends.at(k >> 2U & 1U).z()};
-  }
-  return corners;
-}
-
 std::shared_ptr<const SceneContent> makeSceneContent(std::shared_ptr<const Reconstruction> reconstruction) {
   if (!reconstruction) return nullptr;
   auto content = std::make_shared<SceneContent>();

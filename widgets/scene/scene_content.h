@@ -38,11 +38,25 @@ struct SceneLayout {
   std::size_t largest = 0;                 ///< index of the patch that lies in its own frame
   std::unordered_map<CellId, std::size_t> index;
 
-  [[nodiscard]] const SceneCell* find(CellId id) const;
+  [[nodiscard]] const SceneCell* find(CellId id) const {
+    const auto found = index.find(id);
+    return found == index.end() ? nullptr : &cells[found->second];
+  }
   /// Indices of the patches that have cells but are not placed against the largest.
-  [[nodiscard]] std::vector<std::size_t> notPlaced() const;
+  [[nodiscard]] std::vector<std::size_t> notPlaced() const {
+    std::vector<std::size_t> patches;
+    for (std::size_t p = 0; p < boxes.size(); ++p) {
+      if (p != largest && !boxes[p].isEmpty()) patches.push_back(p);
+    }
+    return patches;
+  }
   /// Those of notPlaced() that stand in frames; none where they are too many to tell apart.
-  [[nodiscard]] std::vector<std::size_t> framed() const;
+  [[nodiscard]] std::vector<std::size_t> framed() const {
+    constexpr std::size_t kMax = 200;
+    std::vector<std::size_t> patches = notPlaced();
+    if (patches.size() > kMax) patches.clear();
+    return patches;
+  }
   [[nodiscard]] std::size_t pointsPerCell() const { return cells.empty() ? 0 : points.size() / cells.size(); }
 };
 
@@ -72,9 +86,23 @@ struct SceneContent {
   vtkNew<vtkStaticCellLocator> locator;
 
   /// The point at which a link joins a cell, in the scene; none if there is no such cell or port.
-  [[nodiscard]] std::optional<Eigen::Vector3d> portPoint(const LinkEnd& end) const;
+  [[nodiscard]] std::optional<Eigen::Vector3d> portPoint(const LinkEnd& end) const {
+    const SceneCell* cell = layout.find(end.cell);
+    const Port* port = reconstruction->model->findPort(end.port);
+    return cell != nullptr && port != nullptr ? std::optional(cell->T_s_u * port->vector_m) : std::nullopt;
+  }
   /// Corners of the frame about a patch, in the scene: bit k of an index says to which end of axis k the corner lies.
-  [[nodiscard]] std::array<Eigen::Vector3d, 8> frameCorners(std::size_t patch) const;
+  [[nodiscard]] std::array<Eigen::Vector3d, 8> frameCorners(std::size_t patch) const {
+    constexpr double kRoom = 0.4;  // between the frame and the cells, in sides of a cell
+    const Eigen::AlignedBox3d& box = layout.boxes.at(patch);
+    const Eigen::Vector3d room = Eigen::Vector3d::Constant(kRoom * reconstruction->model->side_m);
+    const std::array<Eigen::Vector3d, 2> ends = {box.min() - room, box.max() + room};
+    std::array<Eigen::Vector3d, 8> corners;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      corners.at(k) = {ends.at(k & 1U).x(), ends.at(k >> 1U & 1U).y(), ends.at(k >> 2U & 1U).z()};
+    }
+    return corners;
+  }
   [[nodiscard]] std::size_t polygonsPerCell() const { return prisms ? 8 : 4; }
 };
 

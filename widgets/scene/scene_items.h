@@ -9,6 +9,10 @@
 
 namespace hexoderm {
 
+/// Directions to look from: Front from +z (out of the origin cell's skin), Side from +x, Top from +y; Back, OtherSide
+/// and Bottom from the other ends of these axes; Isometric from between all three; Oblique as at first.
+enum class StandardView { Oblique, Front, Side, Top, Back, OtherSide, Bottom, Isometric };
+
 /// Things that can be shown over the cells or left out, in the order of the menu.
 enum class SceneItem { Ports, Ids, Axes, Gravity, Links, Tree, Ellipsoids, Truth, Surface, Loop, Comparison };
 

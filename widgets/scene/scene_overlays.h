@@ -3,7 +3,7 @@
 #include "hexoderm/solve/metrics/overlays.h"
 #include "widgets/scene/mesh_actor.h"
 #include "widgets/scene/overlay_meshes.h"
-#include "widgets/scene/patch_overlays.h"
+#include "widgets/scene/patch_moment.h"
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_cut.h"
 #include "widgets/scene/scene_items.h"

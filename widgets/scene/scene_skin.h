@@ -9,7 +9,6 @@
 #include "widgets/scene/scene_content.h"
 #include "widgets/scene/scene_cut.h"
 #include "widgets/scene/scene_sight.h"
-#include "widgets/scene/scene_signs.h"
 #include "widgets/style/scene_colors.h"
 
 #include <vtkLight.h>

@@ -27,4 +27,7 @@ QColor viridis(double t);
 QColor toQColor(const Rgb& color);
 Rgb toRgb(const QColor& color);
 
+/// The colours of a 3D scene, derived from those of the theme.
+SceneColors sceneColors(Theme theme);
+
 }  // namespace hexoderm

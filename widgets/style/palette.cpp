@@ -9,6 +9,8 @@
 #include <QCoreApplication>
 #include <QLineF>
 #include <QPainter>
+#include <utility>
+#include <vector>
 
 namespace hexoderm {
 namespace {
@@ -92,26 +94,18 @@ QString qualityWord(EdgeQuality quality) {
 QPalette qtPalette(Theme theme) {
   const Colors& colors = Colors::of(theme);
   QPalette palette;
-  palette.setColor(QPalette::Window, colors.window);
-  palette.setColor(QPalette::WindowText, colors.text);
-  palette.setColor(QPalette::Base, colors.panel);
-  palette.setColor(QPalette::AlternateBase, colors.panel_active);
-  palette.setColor(QPalette::Text, colors.text);
-  palette.setColor(QPalette::PlaceholderText, colors.text_muted);
-  palette.setColor(QPalette::Button, colors.panel);
-  palette.setColor(QPalette::ButtonText, colors.text);
-  palette.setColor(QPalette::BrightText, colors.accent_text);
-  palette.setColor(QPalette::ToolTipBase, colors.panel);
-  palette.setColor(QPalette::ToolTipText, colors.text);
-  palette.setColor(QPalette::Highlight, colors.accent);
-  palette.setColor(QPalette::HighlightedText, colors.accent_text);
-  palette.setColor(QPalette::Link, colors.accent);
-  palette.setColor(QPalette::LinkVisited, colors.accent);
-  palette.setColor(QPalette::Light, colors.panel);
-  palette.setColor(QPalette::Midlight, colors.panel_active);
-  palette.setColor(QPalette::Mid, colors.border);
-  palette.setColor(QPalette::Dark, colors.border);
-  palette.setColor(QPalette::Shadow, colors.border);
+  const std::vector<std::pair<QColor, std::vector<QPalette::ColorRole>>> roles = {
+      {colors.window, {QPalette::Window}},
+      {colors.panel, {QPalette::Base, QPalette::Button, QPalette::ToolTipBase, QPalette::Light}},
+      {colors.panel_active, {QPalette::AlternateBase, QPalette::Midlight}},
+      {colors.border, {QPalette::Mid, QPalette::Dark, QPalette::Shadow}},
+      {colors.text, {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}},
+      {colors.text_muted, {QPalette::PlaceholderText}},
+      {colors.accent, {QPalette::Highlight, QPalette::Link, QPalette::LinkVisited}},
+      {colors.accent_text, {QPalette::BrightText, QPalette::HighlightedText}}};
+  for (const auto& [color, colored] : roles) {
+    for (const QPalette::ColorRole role : colored) palette.setColor(role, color);
+  }
   const QColor disabled = faded(colors.text_muted, colors.panel);
   for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
     palette.setColor(QPalette::Disabled, role, disabled);

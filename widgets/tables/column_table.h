@@ -1,7 +1,6 @@
 #pragma once
 
 #include "widgets/tables/table_cells.h"
-#include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 
 #include <QAbstractTableModel>

@@ -5,7 +5,6 @@
 #include "hexoderm/robots/joint_check.h"
 #include "hexoderm/robots/robot_model.h"
 #include "widgets/tables/table_cells.h"
-#include "widgets/tables/table_roles.h"
 #include "widgets/words/formatting.h"
 #include "widgets/words/words.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "widgets/tables/table_roles.h"
+#include "widgets/tables/table_cells.h"
 
 #include <QCollator>
 #include <QHeaderView>

@@ -4,9 +4,18 @@
 
 #include <QIcon>
 #include <QVariant>
+#include <Qt>
 #include <optional>
 
 namespace hexoderm {
+
+/// The value behind the text of a table's cell: a number in the header's unit, or a text. Invalid: not known.
+constexpr int kRawRole = Qt::UserRole + 1;
+/// The unit of the raw numbers below a column's header, such as "deg", empty for counts and texts; at a row's header
+/// the kind of thing that the rows are, such as "Link", while their names are the header's raw value.
+constexpr int kUnitRole = Qt::UserRole + 2;
+/// The name alone of a header that shows more than its name.
+constexpr int kNameRole = Qt::UserRole + 3;
 
 // The parts of a table's cells that several tables have in common, as the roles of an item model want them. Models
 // belong to no widget, so colours follow the application's palette.

@@ -3,7 +3,7 @@
 #include "hexoderm/base/csv.h"
 #include "hexoderm/base/text.h"
 #include "widgets/controls/panel_parts.h"
-#include "widgets/tables/table_roles.h"
+#include "widgets/tables/table_cells.h"
 
 #include <QAbstractItemModel>
 #include <QAbstractItemView>

@@ -178,9 +178,10 @@ struct ResidualPlots::Parts {
   bool stale = false;
 
   // Plots are owned by the widget, items by their plots.
-  QwtPlot* pose_plot = new QwtPlot;
-  QwtPlot* link_plot = new QwtPlot;
-  QwtPlot* ratio_plot = new QwtPlot;
+  QwtPlot* pose_plot = named(new QwtPlot, "posePlot", ResidualPlots::tr("Residuals of each pose"));
+  QwtPlot* link_plot = named(new QwtPlot, "linkPlot", ResidualPlots::tr("Residuals of the links, the worst first"));
+  QwtPlot* ratio_plot =
+      named(new QwtPlot, "ratioPlot", ResidualPlots::tr("Links by their residual beside the predicted deviation"));
   std::array<QwtPlot*, 3> plots = {pose_plot, link_plot, ratio_plot};
   PoseScale* pose_scale = new PoseScale;
   DrawnItem* boxes = new DrawnItem(pose_plot, std::bind_front(drawBoxes, std::cref(summary.poses)));
@@ -198,9 +199,6 @@ struct ResidualPlots::Parts {
 ResidualPlots::ResidualPlots(Selection* selection, QWidget* parent)
     : QWidget(parent), parts_(std::make_unique<Parts>(*this, selection)) {
   Parts& parts = *parts_;
-  setNames(parts.pose_plot, QStringLiteral("posePlot"), tr("Residuals of each pose"));
-  setNames(parts.link_plot, QStringLiteral("linkPlot"), tr("Residuals of the links, the worst first"));
-  setNames(parts.ratio_plot, QStringLiteral("ratioPlot"), tr("Links by their residual beside the predicted deviation"));
   auto* layout = spaced(new QHBoxLayout(this), {8, 2, 8, 4}, 14);
   layout->addWidget(titled(tr("By pose, ° (box: half the links)"), parts.pose_plot), 1);
   layout->addWidget(titled(tr("By link, ° (○ predicted)"), parts.link_plot), 1);

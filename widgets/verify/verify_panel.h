@@ -2,7 +2,7 @@
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/units.h"
-#include "widgets/controls/column_layout.h"
+#include "widgets/controls/flow_layout.h"
 #include "widgets/controls/panel_parts.h"
 #include "widgets/controls/typed_values.h"
 #include "widgets/verify/verify_section.h"
@@ -30,6 +30,70 @@
 
 namespace hexoderm {
 
+/// Widgets one below the other, in as many columns of about the same height as there is room for: down the first
+/// column, then down the next.
+class ColumnLayout : public ItemLayout {
+  Q_OBJECT
+
+ public:
+  /// `least_width`: of a column, where there is more than one.
+  explicit ColumnLayout(int least_width, QWidget* parent = nullptr) : ItemLayout(parent), least_width_(least_width) {}
+  [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+  [[nodiscard]] int heightForWidth(int width) const override { return arrange(QRect(0, 0, width, 0), false); }
+  /// Of one column.
+  [[nodiscard]] QSize sizeHint() const override {
+    const QMargins margins = contentsMargins();
+    const int width = least_width_ + margins.left() + margins.right();
+    return {width, heightForWidth(width)};
+  }
+
+  [[nodiscard]] QSize minimumSize() const override {
+    QSize least;
+    for (const QLayoutItem* item : items_) least = least.expandedTo({item->minimumSize().width(), 0});
+    return least.grownBy(contentsMargins());
+  }
+
+  void setGeometry(const QRect& rect) override {
+    QLayout::setGeometry(rect);
+    arrange(rect, true);
+  }
+
+ private:
+  static constexpr int kBetweenColumns = 24;
+  static int heightIn(const QLayoutItem& item, int width) {
+    return item.hasHeightForWidth() ? item.heightForWidth(width) : item.sizeHint().height();
+  }
+
+  /// Places the items where `place`; returns the height that they need.
+  int arrange(const QRect& rect, bool place) const {
+    const QRect room = rect.marginsRemoved(contentsMargins());
+    const int columns = std::clamp((room.width() + kBetweenColumns) / (least_width_ + kBetweenColumns), 1, 3);
+    const int width = (room.width() - (columns - 1) * kBetweenColumns) / columns;
+    int total = 0;
+    for (const QLayoutItem* item : items_) total += item->isEmpty() ? 0 : heightIn(*item, width) + spacing();
+    const int share = total / columns;
+    int column = 0;
+    int y = 0;
+    int highest = 0;
+    for (QLayoutItem* item : items_) {
+      if (item->isEmpty()) continue;
+      const int height = heightIn(*item, width);
+      // Where the greater part of it would lie beyond the column's share, it begins the next one.
+      if (column + 1 < columns && y > 0 && y + height / 2 > share) {
+        ++column;
+        y = 0;
+      }
+      const QPoint at(room.left() + column * (width + kBetweenColumns), room.top() + y);
+      if (place) item->setGeometry(QRect(at, QSize(width, height)));
+      y += height + spacing();
+      highest = std::max(highest, y - spacing());
+    }
+    return highest + contentsMargins().top() + contentsMargins().bottom();
+  }
+
+  int least_width_;
+};
+
 enum class VerifyCheck { HoldOut, Loops, Surface, Comparison, OldCalibration };
 
 /// The checks of a finished calibration, each with a verdict: do the other poses predict one that is left out, do its
@@ -41,23 +105,7 @@ class VerifyPanel : public QWidget {
 
  public:
   /// `selection` must outlive the panel.
-  explicit VerifyPanel(Selection* selection, QWidget* parent = nullptr)
-      : QWidget(parent),
-        hold_out_(new VerifySection(tr("Hold-out pose"), tr("Leave one pose out: do the others predict what it read?"),
-                                    QStringLiteral("holdOut"), selection)),
-        loop_(new VerifySection(tr("Loops"), tr("Do rings of cells close, link by link?"), QStringLiteral("loops"),
-                                selection)),
-        surface_(new VerifySection(tr("Surface"), tr("Do the cells lie on the surface they were put on?"),
-                                   QStringLiteral("surface"), selection)),
-        caliper_(new VerifySection(tr("Distance by caliper"), tr("Does a distance measured on the skin itself agree?"),
-                                   QStringLiteral("caliper"), selection)),
-        comparison_(new VerifySection(tr("Compare with another calibration"),
-                                      tr("Does another calibration of the same skin agree?"),
-                                      QStringLiteral("comparison"), selection)),
-        old_(new VerifySection(
-            tr("Check an old calibration"),
-            tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
-            QStringLiteral("oldCalibration"), selection)) {
+  explicit VerifyPanel(Selection* selection, QWidget* parent = nullptr) : QWidget(parent), selection_(selection) {
     setObjectName(QStringLiteral("verifyPanel"));
     buildHoldOut();
     buildSurface();
@@ -256,9 +304,7 @@ class VerifyPanel : public QWidget {
 
  private:
   void buildHoldOut() {
-    setNames(pose_, QStringLiteral("holdOutPose"), tr("Pose that is held out"));
     makeNarrow(pose_);
-    run_->setObjectName(QStringLiteral("holdOutRun"));
     // Names of poses are long in some languages.
     hold_out_->addRow()->addWidget(pose_, 1);
     hold_out_->addRow({run_});
@@ -279,13 +325,11 @@ class VerifyPanel : public QWidget {
   }
 
   void buildSurface() {
-    setNames(kind_, QStringLiteral("surfaceKind"), tr("Surface through the cells"));
     kind_->addItem(tr("None"), kNoSurface);
     kind_->addItem(tr("Most probable"), kAnySurface);
     for (const SurfaceKind kind : {SurfaceKind::Plane, SurfaceKind::Cylinder, SurfaceKind::Sphere, SurfaceKind::Cone}) {
       kind_->addItem(surfaceKindWord(kind), static_cast<int>(kind));
     }
-    setNames(radius_mm_, QStringLiteral("surfaceRadius"), tr("True radius of the surface"));
     setUpLength(radius_mm_, 2, tr("not known"));
     auto* grid = new QGridLayout;
     grid->setColumnStretch(1, 1);
@@ -307,7 +351,6 @@ class VerifyPanel : public QWidget {
     };
     makeCell(first_, "caliperFirst", tr("One cell"));
     makeCell(second_, "caliperSecond", tr("The other cell"));
-    setNames(distance_mm_, QStringLiteral("caliperDistance"), tr("Measured distance"));
     setUpLength(distance_mm_, 1, tr("not measured"));
     connect(distance_mm_, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &VerifyPanel::checkCaliper);
     QGridLayout* grid = gridOfFields();
@@ -318,17 +361,12 @@ class VerifyPanel : public QWidget {
   }
 
   void buildComparison() {
-    choose_->setObjectName(QStringLiteral("comparisonChoose"));
-    drop_->setObjectName(QStringLiteral("comparisonRemove"));
     comparison_->addRow({choose_, drop_});
     connect(choose_, &QPushButton::clicked, this, &VerifyPanel::comparisonFileWanted);
     connect(drop_, &QPushButton::clicked, this, &VerifyPanel::dropComparison);
   }
 
   void buildOldCalibration() {
-    setNames(choose_old_, QStringLiteral("oldCalibrationChoose"), tr("Choose the file of the old calibration"));
-    setNames(drop_old_, QStringLiteral("oldCalibrationRemove"), tr("Remove the old calibration"));
-    setNames(old_poses_, QStringLiteral("oldCalibrationPoses"), tr("Poses that the old calibration is compared with"));
     makeNarrow(old_poses_);
     old_poses_->addItem(tr("The newest pose"), 1);
     for (int count = kUsualPoses; count <= kUsualPoses + 1; ++count) {
@@ -503,26 +541,41 @@ class VerifyPanel : public QWidget {
   bool compares_ = false;    ///< a file is chosen
   QString old_calibration_;  ///< the file that is chosen; empty: none
 
-  VerifySection* hold_out_;
-  VerifySection* loop_;
-  VerifySection* surface_;
-  VerifySection* caliper_;
-  VerifySection* comparison_;
-  VerifySection* old_;
-  QComboBox* pose_ = new QComboBox;
-  QPushButton* run_ = new QPushButton(tr("Run"));
+  Selection* selection_;
+  VerifySection* hold_out_ =
+      new VerifySection(tr("Hold-out pose"), tr("Leave one pose out: do the others predict what it read?"),
+                        QStringLiteral("holdOut"), selection_);
+  VerifySection* loop_ =
+      new VerifySection(tr("Loops"), tr("Do rings of cells close, link by link?"), QStringLiteral("loops"), selection_);
+  VerifySection* surface_ = new VerifySection(tr("Surface"), tr("Do the cells lie on the surface they were put on?"),
+                                              QStringLiteral("surface"), selection_);
+  VerifySection* caliper_ =
+      new VerifySection(tr("Distance by caliper"), tr("Does a distance measured on the skin itself agree?"),
+                        QStringLiteral("caliper"), selection_);
+  VerifySection* comparison_ =
+      new VerifySection(tr("Compare with another calibration"), tr("Does another calibration of the same skin agree?"),
+                        QStringLiteral("comparison"), selection_);
+  VerifySection* old_ = new VerifySection(
+      tr("Check an old calibration"),
+      tr("Does one of some time ago still hold? Compared with the poses of this session, cell by cell."),
+      QStringLiteral("oldCalibration"), selection_);
+  QComboBox* pose_ = named(new QComboBox, "holdOutPose", tr("Pose that is held out"));
+  QPushButton* run_ = named(new QPushButton(tr("Run")), "holdOutRun");
   QToolButton* by_cell_ = nullptr;
   QToolButton* by_link_ = nullptr;
-  QComboBox* kind_ = new QComboBox;
-  QDoubleSpinBox* radius_mm_ = new QDoubleSpinBox;
+  QComboBox* kind_ = named(new QComboBox, "surfaceKind", tr("Surface through the cells"));
+  QDoubleSpinBox* radius_mm_ = named(new QDoubleSpinBox, "surfaceRadius", tr("True radius of the surface"));
   QSpinBox* first_ = new QSpinBox;
   QSpinBox* second_ = new QSpinBox;
-  QDoubleSpinBox* distance_mm_ = new QDoubleSpinBox;
-  QPushButton* choose_ = new QPushButton(tr("Choose file…"));
-  QPushButton* drop_ = new QPushButton(tr("Remove"));
-  QComboBox* old_poses_ = new QComboBox;
-  QPushButton* choose_old_ = new QPushButton(tr("Choose file…"));
-  QPushButton* drop_old_ = new QPushButton(tr("Remove"));
+  QDoubleSpinBox* distance_mm_ = named(new QDoubleSpinBox, "caliperDistance", tr("Measured distance"));
+  QPushButton* choose_ = named(new QPushButton(tr("Choose file…")), "comparisonChoose");
+  QPushButton* drop_ = named(new QPushButton(tr("Remove")), "comparisonRemove");
+  QComboBox* old_poses_ =
+      named(new QComboBox, "oldCalibrationPoses", tr("Poses that the old calibration is compared with"));
+  QPushButton* choose_old_ =
+      named(new QPushButton(tr("Choose file…")), "oldCalibrationChoose", tr("Choose the file of the old calibration"));
+  QPushButton* drop_old_ =
+      named(new QPushButton(tr("Remove")), "oldCalibrationRemove", tr("Remove the old calibration"));
 
   /// In the list of surfaces, besides the kinds.
   static constexpr int kNoSurface = -1;

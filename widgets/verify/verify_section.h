@@ -33,7 +33,7 @@ class VerifySection : public QFrame {
  public:
   /// `name` is for objects inside of it and the file that its table is saved as.
   VerifySection(const QString& heading, const QString& question, const QString& name, Selection* selection)
-      : selection_(selection), table_(new ResultTable(this)), sorted_(new SortedTable(table_, this)) {
+      : selection_(selection) {
     setNames(this, name, heading);
     auto* title = new QLabel(heading);
     makeBold(title);
@@ -171,8 +171,8 @@ class VerifySection : public QFrame {
   QLabel* sign_ = new QLabel;
   QLabel* sentence_ = new QLabel;
   QTableView* view_ = new QTableView;
-  ResultTable* table_;
-  SortedTable* sorted_;
+  ResultTable* table_ = new ResultTable(this);
+  SortedTable* sorted_ = new SortedTable(table_, this);
   CsvActions* csv_actions_;
   VerifySentence said_;
   bool running_ = false;

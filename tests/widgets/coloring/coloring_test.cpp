@@ -1,7 +1,6 @@
 #include "widgets/coloring/coloring.h"
 
 #include "tests/support/hand_made_skins.h"
-#include "widgets/coloring/coloring_words.h"
 
 #include <gmock/gmock.h>
 

@@ -3,7 +3,7 @@
 #include "hexoderm/solve/result/reconstruction.h"
 #include "tests/support/qt_wait.h"
 #include "tests/widgets/graph/graph_view_fixture.h"
-#include "widgets/coloring/coloring_words.h"
+#include "widgets/coloring/coloring.h"
 #include "widgets/coloring/scale_ranges.h"
 #include "widgets/style/color_maps.h"
 

@@ -2,7 +2,7 @@
 
 #include "tests/widgets/scene/patch_scene_test.h"
 #include "hexoderm/solve/metrics/overlays.h"
-#include "widgets/scene/brush_marks.h"
+#include "widgets/scene/patch_scene.h"
 
 namespace hexoderm {
 namespace {

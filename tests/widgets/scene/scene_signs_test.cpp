@@ -1,5 +1,5 @@
 // Signs on cells and links that findings are about.
-#include "widgets/scene/scene_signs.h"
+#include "widgets/scene/cell_meshes.h"
 
 #include "tests/widgets/scene/patch_scene_test.h"
 

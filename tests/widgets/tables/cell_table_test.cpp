@@ -2,7 +2,7 @@
 
 #include "tests/support/hand_made_skins.h"
 #include "tests/widgets/tables/table_texts.h"
-#include "widgets/tables/table_roles.h"
+#include "widgets/tables/table_cells.h"
 
 #include <gmock/gmock.h>
 #include <QAbstractItemModelTester>

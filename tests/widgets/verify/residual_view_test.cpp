@@ -7,10 +7,9 @@
 #include "widgets/controls/selection.h"
 #include "widgets/style/color_maps.h"
 #include "widgets/tables/sorted_table.h"
+#include "widgets/tables/table_cells.h"
 #include "widgets/tables/table_csv.h"
-#include "widgets/tables/table_roles.h"
 #include "widgets/verify/residual_plots.h"
-#include "widgets/verify/residual_table.h"
 
 #include <gmock/gmock.h>
 #include <qwt_plot.h>
