@@ -1,5 +1,4 @@
 #include "app/python/bindings.h"
-#include "app/python/given.h"
 #include "app/python/unlocked.h"
 
 #include "hexoderm/base/error.h"
@@ -8,7 +7,6 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/sim/simulated_skin.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 namespace hexoderm::python {
