@@ -1,7 +1,6 @@
 #include "hexoderm/capture/pose_recorder.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/device/cell_index.h"
 #include "hexoderm/device/gravity_accumulator.h"
 
@@ -187,8 +186,6 @@ JointAngles meanOf(const std::vector<const JointReport*>& reports) {
 }
 
 }  // namespace
-
-PoseRecorderOptions::PoseRecorderOptions() : repeat_angle_rad(10 * kDegree) {}
 
 void PoseRecorderOptions::validate() const {
   stillness.validate();

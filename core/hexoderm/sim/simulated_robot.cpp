@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/mesh_surface.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/sim/hand_motion.h"
 #include "hexoderm/sim/patch_plan.h"
 #include "hexoderm/sim/random_streams.h"
@@ -173,9 +172,6 @@ std::vector<Fault> faultsAmong(const std::vector<Fault>& faults, std::uint32_t b
 }
 
 }  // namespace
-
-SimulatedRobotOptions::SimulatedRobotOptions()
-    : zero_offset_sigma_rad(0.5 * kDegree), base_tilt_sigma_rad(1 * kDegree) {}
 
 void SimulatedRobotOptions::validate() const {
   const auto notNegative = [](double value, const std::string& name) {

@@ -4,7 +4,6 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/rounding.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/sim/hand_motion.h"
 #include "hexoderm/sim/patch_layout.h"
 #include "hexoderm/sim/patch_plan.h"
@@ -109,14 +108,6 @@ LinkLaw linkLawFromName(std::string_view name) {
   if (const std::optional<LinkLaw> law = kLinkLaws.find(name)) return *law;
   throw InvalidArgument("link_law: expected bend or surface, found \"" + std::string(name) + "\"");
 }
-
-SimulatedSkinOptions::SimulatedSkinOptions()
-    : yaw_jitter_rad(1 * kDegree),
-      tilt_jitter_rad(0.5 * kDegree),
-      hand_orientation_sigma_rad(3 * kDegree),
-      tremor_angle_sigma_rad(0.05 * kDegree),
-      drift_rad_per_s(0.5 * kDegree),
-      joint_angle_rad(20 * kDegree) {}
 
 void SimulatedSkinOptions::validate() const {
   const auto notNegative = [](double value, const std::string& name) {
