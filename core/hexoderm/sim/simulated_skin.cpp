@@ -229,8 +229,8 @@ struct SimulatedSkin::State {
   void beginLive() {
     if (!live) holdLive(hold(Eigen::Vector3d::UnitZ()));
   }
-  template <class Noise>
   /// Readings of all cells at the hold's next tick.
+  template <class Noise>
   void sense(Hold& holding, Noise& noise, SampleFrame& frame) {
     const Accelerometer& accelerometer = model.accelerometer;
     // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
