@@ -1,8 +1,6 @@
 #pragma once
 
-#include "app/python/unlocked.h"
-
-#include <pybind11/pybind11.h>
+#include "app/python/bindings.h"
 
 #include <chrono>
 #include <future>
