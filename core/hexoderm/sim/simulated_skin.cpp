@@ -96,8 +96,6 @@ struct SensorChain {
   Eigen::Vector3d position_b;  ///< position of the accelerometer
 };
 
-CellId cellNumbered(std::size_t index) { return CellId(static_cast<std::uint32_t>(index + 1)); }
-
 constexpr EnumNames<LinkLaw> kLinkLaws = {{"bend", "surface"}};
 
 }  // namespace
