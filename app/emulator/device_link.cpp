@@ -308,8 +308,6 @@ class PseudoTerminalLink final : public DeviceLink {
         SerialStream::Callbacks{[this](const skinwire::Command& command) { take(command); }, [this] { disconnect(); }});
   }
   ~PseudoTerminalLink() override { stream_->close(); }
-  PseudoTerminalLink(const PseudoTerminalLink&) = delete;
-  PseudoTerminalLink& operator=(const PseudoTerminalLink&) = delete;
 
   [[nodiscard]] bool isFull() const override { return stream_->waitingBytes() > kFullBytes / 16; }
   bool send(Bytes frame) override { return has_host_ && stream_->send(std::move(frame)); }

@@ -219,6 +219,12 @@ struct SimulatedSkin::State {
     }
     clock_s += static_cast<double>(frame_count) / rate_hz() + kPauseBetweenRecordings_s;
   }
+  std::vector<SampleFrame> framesOf(Hold holding, std::size_t frame_count) {
+    std::vector<SampleFrame> frames;
+    frames.reserve(frame_count);
+    record(std::move(holding), frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
+    return frames;
+  }
   void holdLive(Hold holding) {
     live = std::move(holding);
     live_noise = FastNormalSource(live->noise);
@@ -409,17 +415,11 @@ void SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count,
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
-  std::vector<SampleFrame> frames;
-  frames.reserve(frame_count);
-  record(up_b, frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
-  return frames;
+  return state_->framesOf(state_->hold(up_b), frame_count);
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const CarriedBody& body, std::size_t frame_count) {
-  std::vector<SampleFrame> frames;
-  frames.reserve(frame_count);
-  state_->record(state_->hold(body), frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
-  return frames;
+  return state_->framesOf(state_->hold(body), frame_count);
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {

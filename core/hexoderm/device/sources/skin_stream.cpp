@@ -50,21 +50,7 @@ std::string printable(std::string text) {
 Message printable(const Message& message) { return std::get<Message>(printable(MessageArgument(message)).value); }
 
 void SkinStream::restart() {
-  has_hello_ = false;
-  model_ = nullptr;
-  model_complaint_ = {};
-  assembler_.clear();
-  has_topology_ = false;
-  neighbors_.clear();
-  held_.reset();
-  is_model_held_ = false;
-  device_text_ = {};
-  joint_names_.clear();
-  is_exploring_ = false;
-  was_heard_ = false;
-  was_rejected_ = false;
-  times_asked_ = 0;
-  undescribed_since_.reset();
+  static_cast<ConnectionState&>(*this) = {};
   startCounting();
 }
 
