@@ -189,11 +189,7 @@ void SimulatedRobotOptions::validate() const {
 }
 
 SimulatedRobotOptions SimulatedRobotOptions::ideal() {
-  SimulatedRobotOptions options;
-  options.zero_offset_sigma_rad = 0;
-  options.base_tilt_sigma_rad = 0;
-  options.skin = SimulatedSkinOptions::ideal();
-  return options;
+  return {.zero_offset_sigma_rad = 0, .base_tilt_sigma_rad = 0, .skin = SimulatedSkinOptions::ideal()};
 }
 
 struct SimulatedRobot::State {

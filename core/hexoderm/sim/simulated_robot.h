@@ -32,7 +32,7 @@ enum class BaseHold {
 
 /// A robot, its patches, and what holds it.
 struct SimulatedRobotOptions {
-  std::vector<PatchMount> mounts;
+  std::vector<PatchMount> mounts{};
   std::uint64_t seed = 1;
   BaseHold base = BaseHold::Fixed;
   double zero_offset_sigma_rad = 0.5 * kDegree;  ///< of the joints' encoders
