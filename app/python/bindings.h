@@ -14,9 +14,12 @@
 #include <cxxabi.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
+#include <future>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -96,6 +99,31 @@ class GilRelease {
  private:
   PyThreadState* thread_;
 };
+
+/// Runs `work(stop)` on a thread of its own and waits for it without the interpreter's lock, so that Python's other
+/// threads go on. Ctrl+C, or whatever else a signal handler of Python raises, requests `stop`; it is raised once the
+/// work has ended.
+template <class Work>
+auto interruptible(const Work& work) {
+  constexpr std::chrono::milliseconds kLookEvery(50);
+  std::stop_source stop;
+  auto result = std::async(std::launch::async, [&] { return work(stop.get_token()); });
+  bool is_interrupted = false;
+  for (bool is_done = false; !is_done;) {
+    {
+      const GilRelease unlocked;
+      is_done = result.wait_for(kLookEvery) == std::future_status::ready;
+    }
+    if (is_done || is_interrupted || PyErr_CheckSignals() == 0) continue;
+    is_interrupted = true;
+    stop.request_stop();
+    const pybind11::error_scope kept;  // what was raised, while the work ends
+    const GilRelease unlocked;
+    result.wait();
+  }
+  if (is_interrupted) throw pybind11::error_already_set();
+  return result.get();
+}
 
 /// A result, as Python holds it: of a solve, or read from a file. Nothing that Python is shown of it changes it.
 using Calibration = std::shared_ptr<Reconstruction>;

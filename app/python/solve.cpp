@@ -1,5 +1,4 @@
 #include "app/python/bindings.h"
-#include "app/python/interruptible.h"
 
 #include "hexoderm/solve/reconstructor.h"
 
