@@ -141,7 +141,7 @@ void bindSessionArrays(pybind11::class_<Session>& session);
 
 /// Each adds its part to the module.
 using Bind = void(pybind11::module_& module);
-Bind bindErrors, bindCellModel, bindSession, bindSimulate, bindJudgement, bindPatch, bindCalibration, bindSolve,
-    bindExports, bindCapture;
+Bind bindErrors, bindCellModel, bindSession, bindSimulate, bindPatch, bindCalibration, bindSolve, bindExports,
+    bindCapture;
 
 }  // namespace hexoderm::python
