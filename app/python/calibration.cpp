@@ -68,7 +68,7 @@ std::variant<Session, Calibration> read(const std::filesystem::path& path, const
   return calibrationOf(std::get<std::shared_ptr<const Reconstruction>>(opened));
 }
 
-std::string inWords(const Finding& finding) {
+std::string findingText(const Finding& finding) {
   return std::string(severityName(finding.severity)) + "  " + std::string(codeName(finding.code)) + ": " +
          finding.message.english();
 }
@@ -81,8 +81,8 @@ void bindFinding(py::module_& module) {
       .def_readonly("cells", &Finding::cells, "The IDs of the cells that it is about.")
       .def_readonly("ports", &Finding::ports, "Where there are any, one for each of `cells`.")
       .def_readonly("poses", &Finding::poses, "The IDs of the poses that it is about.")
-      .def("__str__", &inWords)
-      .def("__repr__", [](const Finding& finding) { return "<Finding " + inWords(finding) + ">"; });
+      .def("__str__", &findingText)
+      .def("__repr__", [](const Finding& finding) { return "<Finding " + findingText(finding) + ">"; });
 }
 
 void bindVerdict(py::module_& module) {
