@@ -13,14 +13,10 @@
 #include <boost/asio/ip/udp.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
 
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <cstring>
-#include <optional>
-#include <utility>
 
 namespace hexoderm::emulator {
 namespace {
@@ -38,47 +34,6 @@ constexpr std::size_t kFullBytes = 1U << 20U;
 constexpr std::size_t kMaxBytes = 64U << 20U;
 constexpr std::chrono::seconds kUdpHostLives(5);
 constexpr std::chrono::seconds kStalledHostLives(3);
-constexpr std::chrono::milliseconds kWatchEvery(250);
-
-/// What is common to all wires: bodies that are framed as the wire wants, and a look now and then at the host.
-class Wire : public DeviceLink {
- public:
-  [[nodiscard]] std::string address() const final { return address_; }
-  [[nodiscard]] std::size_t maxBody() const final { return max_body_; }
-  void start(Callbacks callbacks) final {
-    callbacks_ = std::move(callbacks);
-    begin();
-    watchLater();
-  }
-  [[nodiscard]] Bytes framed(const skinwire::Message& message) const final {
-    return framing_ ? skinwire::encodeFrame(*framing_, message) : skinwire::encodeBody(message);
-  }
-
- protected:
-  /// Without framing, each body is a datagram.
-  Wire(asio::io_context& io, std::optional<skinwire::Framing> framing, std::size_t max_body)
-      : framing_(framing), max_body_(max_body), timer_(io) {}
-
-  virtual void begin() = 0;
-  virtual void watch() = 0;
-
-  std::optional<skinwire::Framing> framing_;
-  std::string address_;
-  Callbacks callbacks_;
-
- private:
-  void watchLater() {
-    timer_.expires_after(kWatchEvery);
-    timer_.async_wait([this](const error_code& error) {
-      if (error) return;
-      watch();
-      watchLater();
-    });
-  }
-
-  std::size_t max_body_;
-  asio::steady_timer timer_;
-};
 
 /// A stream of bytes in both directions, from when it is open until it is closed.
 template <class Channel>
@@ -169,10 +124,10 @@ typename Protocol::endpoint endpointOf(const std::string& host, std::uint16_t po
 
 /// A connection is a host once it sends a command, and then keeps the device until it goes or takes nothing any more.
 /// One that says nothing (a scanner of ports, a terminal that was forgotten) gives way to the next.
-class TcpLink final : public Wire {
+class TcpLink final : public DeviceLink {
  public:
   TcpLink(asio::io_context& io, const tcp::endpoint& at, skinwire::Framing framing)
-      : Wire(io, framing, skinwire::kMaxBody), acceptor_(io) {
+      : DeviceLink(io, framing, skinwire::kMaxBody), acceptor_(io) {
     error_code error;
     acceptor_.open(at.protocol(), error);
     if (!error) acceptor_.set_option(tcp::acceptor::reuse_address(true), error);
@@ -263,9 +218,10 @@ class TcpLink final : public Wire {
   std::optional<tcp::socket> next_;  ///< waits until the host has gone; more wait in the acceptor
 };
 
-class UdpLink final : public Wire {
+class UdpLink final : public DeviceLink {
  public:
-  UdpLink(asio::io_context& io, const udp::endpoint& at) : Wire(io, std::nullopt, skinwire::kMaxDatagram), socket_(io) {
+  UdpLink(asio::io_context& io, const udp::endpoint& at)
+      : DeviceLink(io, std::nullopt, skinwire::kMaxDatagram), socket_(io) {
     error_code error;
     socket_.open(at.protocol(), error);
     if (!error) socket_.bind(at, error);
@@ -330,10 +286,10 @@ class UdpLink final : public Wire {
   Clock::time_point asked_{};
 };
 
-class PseudoTerminalLink final : public Wire {
+class PseudoTerminalLink final : public DeviceLink {
  public:
   explicit PseudoTerminalLink(asio::io_context& io)
-      : Wire(io, skinwire::Framing::Cobs, 4096) {  // little is lost with a broken byte
+      : DeviceLink(io, skinwire::Framing::Cobs, 4096) {  // little is lost with a broken byte
     FileDescriptor near_end(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC));
     const auto failed = [] { fail("pseudo-terminal", std::strerror(errno)); };
     if (near_end.get() < 0 || ::grantpt(near_end.get()) != 0 || ::unlockpt(near_end.get()) != 0) failed();
@@ -352,8 +308,6 @@ class PseudoTerminalLink final : public Wire {
         SerialStream::Callbacks{[this](const skinwire::Command& command) { take(command); }, [this] { disconnect(); }});
   }
   ~PseudoTerminalLink() override { stream_->close(); }
-  PseudoTerminalLink(const PseudoTerminalLink&) = delete;
-  PseudoTerminalLink& operator=(const PseudoTerminalLink&) = delete;
 
   [[nodiscard]] bool isFull() const override { return stream_->waitingBytes() > kFullBytes / 16; }
   bool send(Bytes frame) override { return has_host_ && stream_->send(std::move(frame)); }

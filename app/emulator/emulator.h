@@ -5,11 +5,7 @@
 
 #include <algorithm>
 #include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <chrono>
-#include <functional>
 #include <random>
-#include <utility>
 
 namespace hexoderm::emulator {
 

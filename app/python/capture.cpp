@@ -1,6 +1,4 @@
 #include "app/python/bindings.h"
-#include "app/python/interruptible.h"
-#include "app/python/unlocked.h"
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"

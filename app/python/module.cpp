@@ -16,8 +16,8 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = HEXODERM_VERSION;
   hexoderm::addSimulatedSources();
   // Types are added before what names them, so that help() has their Python names.
-  for (Bind* bind : {bindErrors, bindCellModel, bindSession, bindSimulate, bindJudgement, bindPatch, bindCalibration,
-                     bindSolve, bindExports, bindCapture}) {
+  for (Bind* bind : {bindErrors, bindCellModel, bindSession, bindSimulate, bindPatch, bindCalibration, bindSolve,
+                     bindExports, bindCapture}) {
     bind(module);
   }
 }

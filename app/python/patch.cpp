@@ -1,5 +1,4 @@
 #include "app/python/bindings.h"
-#include "app/python/unlocked.h"
 
 #include "hexoderm/base/error.h"
 

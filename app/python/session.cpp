@@ -1,11 +1,8 @@
 #include "app/python/bindings.h"
-#include "app/python/session_arrays.h"
-#include "app/python/unlocked.h"
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/io/session_json.h"
-#include "hexoderm/session/session.h"
 
 #include <pybind11/stl/filesystem.h>
 
@@ -24,22 +21,6 @@ auto withoutLock(const Session& session, const Work& work) {
   const Session copy = session;  // poses are shared
   const GilRelease unlocked;
   return work(copy);
-}
-
-void addPose(Session& session, const Doubles& readings, const std::optional<Doubles>& covariances,
-             const std::optional<py::object>& counts, const std::string& label,
-             const std::map<std::string, double>& joint_angles) {
-  PoseArrays arrays;
-  arrays.readings = readings;
-  arrays.covariances = covariances;
-  if (counts) arrays.counts = wholeNumbers(*counts, "counts");
-  arrays.label = label;
-  for (const auto& [joint, position] : joint_angles) arrays.joint_angles.positions[joint] = position;
-  const SessionPose pose = poseFrom(session, arrays);
-  Session with_pose = session;
-  with_pose.addPose(pose);
-  checkAsFile(with_pose);
-  session = std::move(with_pose);
 }
 
 void setPoseDisabled(Session& session, std::size_t index, bool disabled, const std::string& why) {
@@ -147,10 +128,6 @@ void bindSession(py::module_& module) {
       .def_property_readonly(
           "description", [](const Session& self) { return self.source().text; }, "Where it comes from, in words.")
       .def_property_readonly("poses", &Session::poses, "A list, in the order in which they were added.")
-      .def("add_pose", &addPose, py::arg("readings"), py::kw_only(), py::arg("covariances") = py::none(),
-           py::arg("counts") = py::none(), py::arg("label") = "",
-           py::arg("joint_angles") = std::map<std::string, double>(),
-           "Adds a pose: `readings` (cells, 3) in the order of `cells`, as in from_arrays().")
       .def(
           "remove_pose", [](Session& self, std::size_t index) { self.removePose(index); }, py::arg("index"),
           "Removes session.poses[index]: the place from 0 on, not the pose's ID.")

@@ -1,15 +1,15 @@
-#include "app/python/session_arrays.h"
-
 #include "app/python/bindings.h"
-#include "app/python/given.h"
-#include "app/python/skin_arrays.h"
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/error.h"
+#include "hexoderm/base/is_rotation.h"
 #include "hexoderm/io/session_json.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <set>
+#include <utility>
 
 namespace hexoderm::python {
 namespace {
@@ -18,6 +18,121 @@ namespace py = pybind11;
 
 constexpr const char* kArrays = "arrays";
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Throws InvalidArgument naming `what` unless this can be an ID.
+std::uint32_t idFrom(std::int64_t value, const char* what) {
+  if (value >= 0 && value <= UINT32_MAX) return static_cast<std::uint32_t>(value);
+  throw InvalidArgument(std::string(what) + ": expected a whole number from 0 to 4294967295, found " +
+                        std::to_string(value));
+}
+
+/// Of cells (N,) and links (links, 4), which both cells report, as after an exploration. Throws InvalidArgument naming
+/// what does not fit.
+NeighborList neighborsFrom(const Numbers& cells, const Numbers& links, const std::vector<std::string>& parts) {
+  requireShape(cells, {"cells"}, "cells");
+  requireShape(links, {"links", 4}, "links");
+  NeighborList neighbors;
+  std::map<std::int64_t, std::size_t> index;
+  for (py::ssize_t k = 0; k < cells.size(); ++k) {
+    const std::int64_t id = cells.data()[k];
+    if (!index.emplace(id, neighbors.size()).second) {
+      throw InvalidArgument("cells: cell " + std::to_string(id) + " is named twice");
+    }
+    neighbors.push_back({CellId(idFrom(id, "cells")), "", {}});
+  }
+  if (!parts.empty() && parts.size() != neighbors.size()) {
+    throw InvalidArgument("body_parts: expected one for each of " + std::to_string(neighbors.size()) +
+                          " cells, found " + std::to_string(parts.size()));
+  }
+  for (std::size_t k = 0; k < parts.size(); ++k) neighbors[k].body_part = parts[k];
+  for (py::ssize_t k = 0; k < links.shape(0); ++k) {
+    const std::int64_t* const link = links.data(k, 0);
+    for (const auto& [from, to] : {std::pair(0, 2), std::pair(2, 0)}) {
+      const auto found = index.find(link[from]);
+      if (found == index.end()) {
+        throw InvalidArgument("links: row " + std::to_string(k) + " names cell " + std::to_string(link[from]) +
+                              ", which is not among the cells");
+      }
+      neighbors[found->second].neighbors.push_back({PortNumber(idFrom(link[from + 1], "links")),
+                                                    CellId(idFrom(link[to], "links")),
+                                                    PortNumber(idFrom(link[to + 1], "links"))});
+    }
+  }
+  for (CellReport& cell : neighbors) std::ranges::stable_sort(cell.neighbors, {}, &NeighborReport::port);
+  return neighbors;
+}
+
+/// Each link once, from the end that reports it first; -1 for a port that was not reported.
+Numbers linksOf(const Session& session) {
+  std::vector<std::array<std::int64_t, 4>> rows;
+  std::set<std::array<std::int64_t, 4>> known;
+  for (const CellReport& cell : session.neighbors()) {
+    for (const NeighborReport& link : cell.neighbors) {
+      if (link.cell == CellId()) continue;
+      const std::int64_t other = link.cell_port ? static_cast<std::int64_t>(link.cell_port->value()) : -1;
+      const std::array<std::int64_t, 4> row = {cell.id.value(), link.port.value(), link.cell.value(), other};
+      if (known.contains({row[2], row[3], row[0], row[1]})) continue;
+      if (known.insert(row).second) rows.push_back(row);
+    }
+  }
+  Numbers array({static_cast<py::ssize_t>(rows.size()), py::ssize_t{4}});
+  std::int64_t* out = array.mutable_data();
+  for (const auto& row : rows) out = std::ranges::copy(row, out).out;
+  return array;
+}
+
+/// Of (cells, positions, rotations), as Session.truth has it. Throws InvalidArgument, or TypeError for another type.
+GroundTruth truthFrom(const py::object& truth, const NeighborList& skin) {
+  const char* const expected = "(cells, positions, rotations), as Session.truth has it";
+  if (!py::isinstance<py::sequence>(truth) || py::len(truth) != 3) failFor("truth", expected, truth);
+  const auto parts = py::reinterpret_borrow<py::sequence>(truth);
+  const Numbers cells = wholeNumbers(parts[0], "truth[0]");
+  const auto positions = Doubles::ensure(parts[1]);
+  const auto rotations = Doubles::ensure(parts[2]);
+  if (!positions || !rotations) failFor("truth", expected, truth);
+  requireShape(cells, {"cells"}, "truth[0]");
+  const Axis each("cells", cells.size());
+  requireShape(positions, {each, 3}, "truth[1]");
+  requireShape(rotations, {each, 3, 3}, "truth[2]");
+  GroundTruth known;
+  std::set<CellId> named;
+  for (py::ssize_t k = 0; k < cells.size(); ++k) {
+    TrueCellPlacement placed;
+    placed.id = CellId(idFrom(cells.data()[k], "truth[0]"));
+    placed.T_b_u.t = Eigen::Map<const Eigen::Vector3d>(positions.data(k, 0));
+    placed.T_b_u.R = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(rotations.data(k, 0, 0));
+    const std::string place = "[" + std::to_string(k) + "]";
+    if (std::ranges::find(skin, placed.id, &CellReport::id) == skin.end() || !named.insert(placed.id).second) {
+      throw InvalidArgument("truth[0]" + place + ": expected each cell of the session once, found cell " +
+                            toString(placed.id));
+    }
+    if (!placed.T_b_u.t.allFinite()) throw InvalidArgument("truth[1]" + place + ": expected finite numbers");
+    if (!isRotation(placed.T_b_u.R)) {
+      throw InvalidArgument("truth[2]" + place + ": expected a rotation matrix (orthogonal to 1e-6, determinant +1)");
+    }
+    known.cells.push_back(placed);
+  }
+  return known;
+}
+
+/// (cells, positions, rotations), in the frame of the truth; None where it is not known.
+py::object truthOf(const Session& session) {
+  if (!session.truth()) return py::none();
+  const auto& cells = session.truth()->cells;
+  return py::make_tuple(numbersOf(cells, &TrueCellPlacement::id),
+                        stacked(cells, [](const TrueCellPlacement& cell) { return cell.T_b_u.t; }),
+                        stacked(cells, [](const TrueCellPlacement& cell) { return cell.T_b_u.R; }));
+}
+
+/// A pose as arrays, in the order of the session's cells.
+struct PoseArrays {
+  std::optional<std::size_t> index;    ///< its place in arrays of several poses, for errors
+  Doubles readings;                    ///< (cells, 3); NaN: no reading
+  std::optional<Doubles> covariances;  ///< (cells, 3, 3)
+  std::optional<Numbers> counts;       ///< (cells,)
+  std::string label;
+  JointAngles joint_angles;
+};
 
 Eigen::Matrix3d matrixAt(const double* values) {
   return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(values);
@@ -62,6 +177,35 @@ std::optional<Numbers> wholeNumbersIfGiven(const std::optional<py::object>& give
 
 constexpr const char* kNumbers = "an array of numbers";
 
+/// The pose with the next ID of the session. Throws InvalidArgument naming the array that does not fit.
+SessionPose poseFrom(const Session& session, const PoseArrays& arrays) {
+  const auto cells = static_cast<py::ssize_t>(session.neighbors().size());
+  const Axis each("cells", cells);
+  requireShape(arrays.readings, {each, 3}, "readings");
+  if (arrays.covariances) requireShape(*arrays.covariances, {each, 3, 3}, "covariances");
+  if (arrays.counts) requireShape(*arrays.counts, {each}, "counts");
+  PoseCapture capture;
+  capture.id = session.nextPoseId();
+  capture.label = Message::verbatim(arrays.label);
+  for (py::ssize_t k = 0; k < cells; ++k) {
+    const std::string place =
+        "[" + (arrays.index ? std::to_string(*arrays.index) + ", " : std::string()) + std::to_string(k) + "]";
+    GravitySample sample;
+    sample.cell = session.neighbors()[static_cast<std::size_t>(k)].id;
+    sample.mean_g = Eigen::Map<const Eigen::Vector3d>(arrays.readings.data(k, 0));
+    if (sample.mean_g.array().isNaN().all()) continue;
+    requireReading(sample.mean_g, "readings" + place);
+    if (arrays.covariances) sample.cov_g2 = matrixAt(arrays.covariances->data(k, 0, 0));
+    requireCovariance(sample.cov_g2, "covariances" + place);
+    if (arrays.counts) sample.count = idFrom(arrays.counts->data()[k], "counts");
+    capture.samples.push_back(sample);
+  }
+  return {std::make_shared<const PoseCapture>(std::move(capture)), false, {}, arrays.joint_angles};
+}
+
+/// Throws as if the session were read from a file: numbers that make no sense, readings in another unit than g.
+void checkAsFile(const Session& session) { static_cast<void>(parseSessionJson(sessionToJson(session), kArrays)); }
+
 Session fromArrays(const Argument<Doubles>& readings_given, const py::object& links_given,
                    const std::optional<py::object>& cells_given,
                    const Argument<std::optional<Doubles>>& covariances_given,
@@ -104,6 +248,22 @@ Session fromArrays(const Argument<Doubles>& readings_given, const py::object& li
   return session;
 }
 
+void addPose(Session& session, const Doubles& readings, const std::optional<Doubles>& covariances,
+             const std::optional<py::object>& counts, const std::string& label,
+             const std::map<std::string, double>& joint_angles) {
+  PoseArrays arrays;
+  arrays.readings = readings;
+  arrays.covariances = covariances;
+  if (counts) arrays.counts = wholeNumbers(*counts, "counts");
+  arrays.label = label;
+  for (const auto& [joint, position] : joint_angles) arrays.joint_angles.positions[joint] = position;
+  const SessionPose pose = poseFrom(session, arrays);
+  Session with_pose = session;
+  with_pose.addPose(pose);
+  checkAsFile(with_pose);
+  session = std::move(with_pose);
+}
+
 /// (poses, cells) and the shape of what `get` says of a sample; `lacking` where a cell has no reading.
 template <class Number, class Get>
 py::array_t<Number> ofSamples(const Session& session, std::vector<std::size_t> shape, Number lacking, const Get& get) {
@@ -136,33 +296,6 @@ Numbers countsOf(const Session& session) {
 
 }  // namespace
 
-SessionPose poseFrom(const Session& session, const PoseArrays& arrays) {
-  const auto cells = static_cast<py::ssize_t>(session.neighbors().size());
-  const Axis each("cells", cells);
-  requireShape(arrays.readings, {each, 3}, "readings");
-  if (arrays.covariances) requireShape(*arrays.covariances, {each, 3, 3}, "covariances");
-  if (arrays.counts) requireShape(*arrays.counts, {each}, "counts");
-  PoseCapture capture;
-  capture.id = session.nextPoseId();
-  capture.label = Message::verbatim(arrays.label);
-  for (py::ssize_t k = 0; k < cells; ++k) {
-    const std::string place =
-        "[" + (arrays.index ? std::to_string(*arrays.index) + ", " : std::string()) + std::to_string(k) + "]";
-    GravitySample sample;
-    sample.cell = session.neighbors()[static_cast<std::size_t>(k)].id;
-    sample.mean_g = Eigen::Map<const Eigen::Vector3d>(arrays.readings.data(k, 0));
-    if (sample.mean_g.array().isNaN().all()) continue;
-    requireReading(sample.mean_g, "readings" + place);
-    if (arrays.covariances) sample.cov_g2 = matrixAt(arrays.covariances->data(k, 0, 0));
-    requireCovariance(sample.cov_g2, "covariances" + place);
-    if (arrays.counts) sample.count = idFrom(arrays.counts->data()[k], "counts");
-    capture.samples.push_back(sample);
-  }
-  return {std::make_shared<const PoseCapture>(std::move(capture)), false, {}, arrays.joint_angles};
-}
-
-void checkAsFile(const Session& session) { static_cast<void>(parseSessionJson(sessionToJson(session), kArrays)); }
-
 void bindSessionArrays(py::class_<Session>& session) {
   session
       .def_static(
@@ -182,6 +315,10 @@ void bindSessionArrays(py::class_<Session>& session) {
           "truth: (cells, positions, rotations) where they are known otherwise, as Session.truth has them, in any\n"
           "frame; for Calibration.compare().\n\n"
           "What is wrong with the numbers is said by array and place, or as for a file of the name \"arrays\".")
+      .def("add_pose", &addPose, py::arg("readings"), py::kw_only(), py::arg("covariances") = py::none(),
+           py::arg("counts") = py::none(), py::arg("label") = "",
+           py::arg("joint_angles") = std::map<std::string, double>(),
+           "Adds a pose: `readings` (cells, 3) in the order of `cells`, as in from_arrays().")
       .def_property_readonly(
           "cells", [](const Session& self) { return numbersOf(self.neighbors(), &CellReport::id); },
           "(cells,): the cells' IDs.")

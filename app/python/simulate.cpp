@@ -1,6 +1,4 @@
 #include "app/python/bindings.h"
-#include "app/python/given.h"
-#include "app/python/unlocked.h"
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/sim/fault_names.h"
@@ -8,7 +6,6 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/sim/simulated_skin.h"
 
-#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 namespace hexoderm::python {

@@ -1,8 +1,5 @@
 #include "app/python/bindings.h"
-#include "app/python/given.h"
-#include "app/python/interruptible.h"
 
-#include "hexoderm/session/session.h"
 #include "hexoderm/solve/reconstructor.h"
 
 namespace hexoderm::python {

@@ -18,7 +18,7 @@ HALLS = {
     "": "core < {widgets, resources} < app < tests",
     "core/hexoderm": "base < {skin, robots} < device < session < solve < {mounting, io, sim} < capture",
     "core/hexoderm/device": "{sample_frame, ground_truth, protocol_violation} < {skin_source, pose_capture, cell_index} < gravity_accumulator"
-                            " < {protocol_violation_log, plausibility, topology_check, pose_average} < listening < skinwire < sources",
+                            " < {protocol_violation_log, plausibility, pose_average} < listening < skinwire < sources",
     "core/hexoderm/solve": "result < {tree, sparse} < global < faults < checks < metrics < estimate < explain < {solve}"
                            " < reconstructor < {hold_out, reconstruction_worker, sensor_statistics}",
     "core/hexoderm/mounting": "parts < attachment < place",

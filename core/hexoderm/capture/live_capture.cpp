@@ -22,19 +22,6 @@
 namespace hexoderm {
 namespace {
 
-PoseRecorderOptions recorderOptions(const LiveCaptureOptions& options) {
-  PoseRecorderOptions recorder;
-  recorder.keep_frames = options.keep_raw;
-  return recorder;
-}
-
-CaptureWorkflowOptions courseOptions(const LiveCaptureOptions& options) {
-  using std::chrono::seconds;
-  // The disk may have room again in a moment.
-  return {
-      .poses = options.poses, .keep_raw = options.keep_raw, .retry_every = seconds(1), .give_up_after = seconds(10)};
-}
-
 /// Before anything is connected. The file itself is made once a skin described itself.
 void requireNewSession(const std::filesystem::path& file) {
   if (file.empty()) return;
@@ -80,9 +67,13 @@ class LiveCapture::Run final : public CaptureOwner, public SkinListener, public 
   Run(LiveCaptureOptions options, std::unique_ptr<SkinSource> source, Listener listener)
       : options_(std::move(options)),
         tell_(std::move(listener)),
-        recorder_(*this, recorderOptions(options_)),
+        recorder_(*this, {.keep_frames = options_.keep_raw}),
         source_(std::move(source)),
-        course_(*this, courseOptions(options_)) {
+        // The disk may have room again in a moment.
+        course_(*this, {.poses = options_.poses,
+                        .keep_raw = options_.keep_raw,
+                        .retry_every = std::chrono::seconds(1),
+                        .give_up_after = std::chrono::seconds(10)}) {
     if (!(options_.timeout_s > 0)) throw InvalidArgument("LiveCaptureOptions::timeout_s: expected seconds above 0");
     requireNewSession(options_.file);
     if (!options_.record_to.empty()) recording_.emplace(options_.record_to, static_cast<SkinListener&>(*this));

@@ -14,18 +14,17 @@ namespace hexoderm {
 
 /// How a PoseRecorder takes poses.
 struct PoseRecorderOptions {
-  StillnessOptions stillness;
+  StillnessOptions stillness{};
   /// Samples per cell and pose. 0: 100, or what a cell delivers in collect_s if that is less, at least 10; its rate is
   /// the cell model's, or what is seen on the wire if that is less. So 100 from 134 Hz on, 75 at 100 Hz, 38 at 50 Hz.
   std::uint32_t samples_per_cell = 0;
   double collect_s = 0.75;
-  bool automatic = true;        ///< captures by itself when the part is still and was moved since the last capture
-  bool keep_frames = false;     ///< hands the raw frames over with each capture, without repeated readings
-  double repeat_angle_rad = 0;  ///< see CapturedPose::repeats; constructor: 10 degrees
+  bool automatic = true;     ///< captures by itself when the part is still and was moved since the last capture
+  bool keep_frames = false;  ///< hands the raw frames over with each capture, without repeated readings
+  double repeat_angle_rad = 10 * kDegree;  ///< see CapturedPose::repeats
   /// Milliseconds since 1970, UTC; empty: the system's clock.
-  std::function<std::int64_t()> wall_clock_ms;
+  std::function<std::int64_t()> wall_clock_ms{};
 
-  PoseRecorderOptions();
   /// Throws InvalidArgument naming the option.
   void validate() const;
 };

@@ -2,11 +2,8 @@
 
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/units.h"
 
 namespace hexoderm {
-
-StillnessOptions::StillnessOptions() : drift_limit_rad_s(1 * kDegree), rearm_angle_rad(5 * kDegree) {}
 
 void StillnessOptions::validate() const {
   const auto within = [](double value, double low, double high, const std::string& name) {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/ids.h"
 #include "hexoderm/base/message.h"
+#include "hexoderm/base/units.h"
 
 #include <cstddef>
 #include <string_view>
@@ -14,20 +15,19 @@ inline constexpr double kRestlessTimesLimit = 2;
 
 /// Conditions under which a part counts as still.
 struct StillnessOptions {
-  double drift_limit_rad_s = 0;   ///< the patch's direction turns slower than this; constructor: 1 deg/s
-  double excess_limit_g = 0.030;  ///< rms per axis beyond a cell's noise floor
-  double hold_s = 0.5;            ///< for so long
-  double drift_window_s = 0.75;   ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
-                                  ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn, and
-                                  ///< up to 5 s or kSlots slots where noise asks for it
-  double rearm_angle_rad = 0;     ///< after a capture, a move by more than this; constructor: 5 degrees
-  double release_factor = 1.25;   ///< a still part stays still up to this multiple of the limits
-  double quiet_fraction = 0.1;    ///< this share of the cells must be below the excess limit, or ...
-  std::size_t quiet_cells = 20;   ///< ... so many, if that is less; see StillnessDetector
-  double patience_s = 3;          ///< a cell that misbehaves for so long while the rest is still is set aside
-  double silent_after_s = 1;      ///< a cell that was not heard for so long is silent
+  double drift_limit_rad_s = 1 * kDegree;  ///< the patch's direction turns slower than this
+  double excess_limit_g = 0.030;           ///< rms per axis beyond a cell's noise floor
+  double hold_s = 0.5;                     ///< for so long
+  double drift_window_s = 0.75;  ///< the drift is that of the last so many seconds, at least hold_s, at most 1.5;
+                                 ///< longer than hold_s, so that tremor of 4 Hz and more is not taken for a turn, and
+                                 ///< up to 5 s or kSlots slots where noise asks for it
+  double rearm_angle_rad = 5 * kDegree;  ///< after a capture, a move by more than this
+  double release_factor = 1.25;          ///< a still part stays still up to this multiple of the limits
+  double quiet_fraction = 0.1;           ///< this share of the cells must be below the excess limit, or ...
+  std::size_t quiet_cells = 20;          ///< ... so many, if that is less; see StillnessDetector
+  double patience_s = 3;                 ///< a cell that misbehaves for so long while the rest is still is set aside
+  double silent_after_s = 1;             ///< a cell that was not heard for so long is silent
 
-  StillnessOptions();
   /// Throws InvalidArgument naming the option.
   void validate() const;
 };

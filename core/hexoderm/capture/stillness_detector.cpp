@@ -1,7 +1,6 @@
 #include "hexoderm/capture/stillness_detector.h"
 
 #include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/capture/cell_motion.h"
 #include "hexoderm/capture/sample_slots.h"
 

@@ -18,10 +18,6 @@ std::optional<Spread> spreadOf(const std::vector<double>& values) {
   return Spread{least, median(values), most};
 }
 
-bool hasViolation(const std::vector<ProtocolViolation>& offences, ProtocolViolationKind kind) {
-  return std::ranges::find(offences, kind, &ProtocolViolation::kind) != offences.end();
-}
-
 const Message* reasonOf(const std::vector<ProtocolViolation>& offences,
                         std::initializer_list<ProtocolViolationKind> kinds) {
   for (const ProtocolViolationKind kind : kinds) {
@@ -186,7 +182,8 @@ void Listening::judge(ListeningReport& report) const {
   if (report.norm_g) {
     const char* field = has_means_ ? "samples.mean_g" : "samples";
     std::optional<ProtocolViolation> offence = offenceOfNorm(report.norm_g->median, skin_->model->accelerometer, field);
-    if (offence && !hasViolation(report.offences, offence->kind)) report.offences.push_back(std::move(*offence));
+    if (offence && reasonOf(report.offences, {offence->kind}) == nullptr)
+      report.offences.push_back(std::move(*offence));
   }
   const SkinGraph graph(*skin_->model, skin_->neighbors);
   const auto isHeard = [this, &graph](std::size_t cell) { return cells_.contains(graph.cells()[cell].id); };

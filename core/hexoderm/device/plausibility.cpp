@@ -103,8 +103,6 @@ std::optional<ProtocolViolation> offenceOfNorm(double median_norm, const Acceler
 
 // ---- readings
 
-void ReadingCheck::restart() { *this = {}; }
-
 std::optional<ProtocolViolation> ReadingCheck::add(const SampleFrame& frame, const Accelerometer& accelerometer,
                                                    const char* field) {
   constexpr std::uint64_t kEvery = 4;
@@ -139,8 +137,6 @@ std::optional<ProtocolViolation> ReadingCheck::add(const SampleFrame& frame, con
 }
 
 // ---- times
-
-void ClockCheck::restart() { *this = {}; }
 
 std::optional<ProtocolViolation> ClockCheck::addSample(CellId cell, std::uint64_t time_us, double stated_hz,
                                                        double sensor_hz, bool is_whole) {

@@ -28,7 +28,6 @@ class ReadingCheck {
     Eigen::AlignedBox3d box_g;
     std::uint32_t samples = 0;
   };
-  void restart();
   /// An offence as soon as enough readings say the same. `field`: where the readings were found.
   std::optional<ProtocolViolation> add(const SampleFrame& frame, const Accelerometer& accelerometer, const char* field);
 
@@ -46,7 +45,6 @@ class ClockCheck {
  public:
   using Clock = std::chrono::steady_clock;
 
-  void restart();
   /// The time of a cell's sample (no mean), which came after its last one. `stated_hz`: the rate by the device, 0: not
   /// known; `sensor_hz`: that of the cell model's accelerometer, which delivers no quicker.
   /// `is_whole`: no sample was lost on the way, so that the steps are those of the device.

@@ -19,6 +19,11 @@ constexpr std::size_t kCellIdBytes = 3;
 constexpr std::size_t kSampleBytes = 6;
 constexpr const char* kSentElsewhere = "the part was sent elsewhere";
 
+std::string noSuchCell(std::uint32_t cell) { return "there is no cell " + std::to_string(cell); }
+
+/// Word of a command that takes its time.
+skinwire::Ack working(std::uint32_t command) { return {command, false, "", true}; }
+
 }  // namespace
 
 void EmulatedDeviceOptions::validate() const {
@@ -75,7 +80,7 @@ void EmulatedDevice::finishExploring(Messages& out) {
   std::ranges::fill(sums_, Sums{});
   summed_ticks_ = 0;
   if (has_host_) describe(std::nullopt, out);
-  for (const Turn& asked : std::exchange(exploring_, {})) answer(asked.command, true, "", out);
+  for (const Turn& asked : std::exchange(exploring_, {})) answer({asked.command, true}, out);
 }
 
 void EmulatedDevice::exploreAgain(Messages& out) {
@@ -97,7 +102,8 @@ void EmulatedDevice::restart(std::vector<LinkFault> link_faults, Messages& out) 
   encoder_ = skinwire::SampleEncoder(body_->model().accelerometer.lsb_g, options_.max_body);
   skipped_ = dropped_ = 0;
   dropTurn("the device was restarted", out);
-  for (const Turn& asked : std::exchange(exploring_, {})) answer(asked.command, false, "the device was restarted", out);
+  for (const Turn& asked : std::exchange(exploring_, {}))
+    answer({asked.command, false, "the device was restarted"}, out);
   if (has_host_) out.emplace_back(hello());
   startExploring(out);
 }
@@ -164,34 +170,28 @@ void EmulatedDevice::take(const skinwire::Command& command, Messages& out) {
     const double before_hz = rate_hz();
     flush(out);
     const std::string why = setRate(rate->rate_hz);
-    answer(command.number, why.empty(), why, out);
+    answer({command.number, why.empty(), why}, out);
     if (rate_hz() != before_hz && has_host_) out.emplace_back(hello());
   } else if (const auto* led = std::get_if<skinwire::SetLed>(&command.request)) {
-    const std::string why = light(*led);
-    answer(command.number, why.empty(), why, out);
+    const bool is_there = isFound(CellId(led->cell));
+    if (is_there) leds_.at(led->cell - 1) = {led->red, led->green, led->blue};
+    answer({command.number, is_there, is_there ? "" : noSuchCell(led->cell)}, out);
   } else if (const auto* turn_to = std::get_if<skinwire::TurnTo>(&command.request)) {
     turn(command.number, *turn_to, out);
   } else if (std::holds_alternative<skinwire::ExploreAgain>(command.request)) {
     exploreAgain(out);
     exploring_.push_back({command.number, ticks_ + ticksIn(options_.working_every_s)});
-    work(command.number, out);
+    answer(working(command.number), out);
   } else {
-    answer(command.number, false, "this device does not know that command", out);
+    answer({command.number, false, "this device does not know that command"}, out);
   }
 }
 
-void EmulatedDevice::answer(std::uint32_t command, bool done, std::string text, Messages& out) {
-  if (command == 0 || !has_host_) return;
+void EmulatedDevice::answer(const skinwire::Ack& ack, Messages& out) {
+  if (ack.command == 0 || !has_host_) return;
   // Numbers grow: the oldest will not be asked again.
   if (answered_.size() >= kMaxAnswered) answered_.erase(answered_.begin());
-  const skinwire::Ack ack{command, done, std::move(text), false};
-  answered_[command] = ack;
-  out.emplace_back(ack);
-}
-
-void EmulatedDevice::work(std::uint32_t command, Messages& out) {
-  const skinwire::Ack ack{command, false, "", true};
-  answered_[command] = ack;
+  answered_[ack.command] = ack;
   out.emplace_back(ack);
 }
 
@@ -204,12 +204,6 @@ std::string EmulatedDevice::setRate(double rate_hz) {
   return "";
 }
 
-std::string EmulatedDevice::light(const skinwire::SetLed& led) {
-  if (!isFound(CellId(led.cell))) return "there is no cell " + std::to_string(led.cell);
-  leds_.at(led.cell - 1) = {led.red, led.green, led.blue};
-  return "";
-}
-
 std::array<std::uint8_t, 3> EmulatedDevice::led(CellId cell) const {
   body_->requireCell(cell);
   return leds_.at(cell.value() - 1);
@@ -217,22 +211,22 @@ std::array<std::uint8_t, 3> EmulatedDevice::led(CellId cell) const {
 
 void EmulatedDevice::turn(std::uint32_t command, const skinwire::TurnTo& request, Messages& out) {
   if (!isFound(CellId(request.cell))) {
-    return answer(command, false, "there is no cell " + std::to_string(request.cell), out);
+    return answer({command, false, noSuchCell(request.cell)}, out);
   }
-  if (!body_->turnsOnRequest()) return answer(command, false, "the part is turned by itself", out);
+  if (!body_->turnsOnRequest()) return answer({command, false, "the part is turned by itself"}, out);
   try {
     body_->turnTo(CellId(request.cell), request.up_u);
   } catch (const InvalidArgument& error) {
-    return answer(command, false, error.what(), out);
+    return answer({command, false, error.what()}, out);
   }
   dropTurn(kSentElsewhere, out);
-  if (!body_->turning()) return answer(command, true, "", out);
+  if (!body_->turning()) return answer({command, true}, out);
   turning_ = {command, ticks_ + ticksIn(options_.working_every_s)};
-  work(command, out);
+  answer(working(command), out);
 }
 
 void EmulatedDevice::dropTurn(std::string why, Messages& out) {
-  if (turning_) answer(std::exchange(turning_, std::nullopt)->command, false, std::move(why), out);
+  if (turning_) answer({std::exchange(turning_, std::nullopt)->command, false, std::move(why)}, out);
 }
 
 void EmulatedDevice::turnTo(const Eigen::Vector3d& up_b, Messages& out) {
@@ -246,11 +240,11 @@ void EmulatedDevice::turnToNextPose(Messages& out) {
 }
 
 void EmulatedDevice::tendCommands(Messages& out) {
-  if (turning_ && !body_->turning()) answer(std::exchange(turning_, std::nullopt)->command, true, "", out);
+  if (turning_ && !body_->turning()) answer({std::exchange(turning_, std::nullopt)->command, true}, out);
   const auto keepWaiting = [&](Turn& asked) {
     if (ticks_ < asked.say_at) return;
     asked.say_at = ticks_ + ticksIn(options_.working_every_s);
-    work(asked.command, out);
+    answer(working(asked.command), out);
   };
   if (turning_) keepWaiting(*turning_);
   for (Turn& asked : exploring_) keepWaiting(asked);

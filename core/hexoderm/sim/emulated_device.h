@@ -102,12 +102,10 @@ class EmulatedDevice {
   void finishExploring(Messages& out);
   void restart(std::vector<LinkFault> link_faults, Messages& out);
   void describe(const std::optional<std::uint32_t>& known_topology, Messages& out);
-  void answer(std::uint32_t command, bool done, std::string text, Messages& out);
-  void work(std::uint32_t command, Messages& out);
+  void answer(const skinwire::Ack& ack, Messages& out);
   void turn(std::uint32_t command, const skinwire::TurnTo& request, Messages& out);
   void dropTurn(std::string why, Messages& out);
   std::string setRate(double rate_hz);
-  std::string light(const skinwire::SetLed& led);
   void tendCommands(Messages& out);
   void requireRoomForJoints() const;
   void tellJoints(Messages& out);

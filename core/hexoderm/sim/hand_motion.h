@@ -2,7 +2,6 @@
 
 // How a person holds a body part.
 
-#include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_skin.h"
 
 #include <Eigen/Core>

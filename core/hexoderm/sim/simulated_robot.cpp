@@ -2,19 +2,123 @@
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/mesh_surface.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/sim/hand_motion.h"
 #include "hexoderm/sim/patch_plan.h"
 #include "hexoderm/sim/random_streams.h"
-#include "hexoderm/sim/robot_hold.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <random>
+#include <utility>
 
 namespace hexoderm {
 namespace {
+
+constexpr double kFastestJoint_rad_s = 60 * kDegree;
+constexpr double kFastestSlide_m_s = 0.1;
+constexpr double kQuotientStep_s = 1e-3;
+
+/// The motion of a body that the robot carries, from that of the base.
+BodyMotion seenFrom(const Eigen::Matrix3d& R_w_b, const BodyMotion& motion_w) {
+  return {R_w_b.transpose() * motion_w.up_b, R_w_b.transpose() * motion_w.field_b * R_w_b};
+}
+
+template <class Value>
+Value secondDerivative(const Value& before, const Value& now, const Value& after) {
+  return (before - 2.0 * now + after) / (kQuotientStep_s * kQuotientStep_s);
+}
+
+/// A robot while one pose is held: its joints stand still, and the whole of it moves as its base does. Frames: `w` the
+/// base, `b` a body that a link carries, `v` the world, whose z is up.
+class RobotHold {
+ public:
+  /// `angles`: where the joints truly stand. `base`: how the base is held and moved, about the point `hand_w`.
+  RobotHold(RobotModel robot, JointAngles angles, HandMotion base, const Eigen::Vector3d& hand_w)
+      : robot_(std::move(robot)),
+        angles_(std::move(angles)),
+        base_(std::move(base)),
+        hand_w_(hand_w),
+        T_w_l_(robot_.forward(angles_)),
+        from_(angles_) {}
+
+  /// Begins where `before` was at that time of its own. From there all joints move at once, smoothly and no faster than
+  /// 60 degrees or 0.1 m a second, and the base is turned as HandMotion::arriveFrom() has it.
+  void arriveFrom(const RobotHold& before, double time_s) {
+    base_.arriveFrom(before.orientationAt(time_s));
+    from_ = before.anglesAt(time_s);
+    joints_arrive_s_ = 0;
+    for (const auto& [name, position] : angles_.positions) {
+      const bool slides = robot_.joints()[robot_.jointNamed(name)].type == JointType::Prismatic;
+      const double way = std::abs(position - from_.positions.at(name));
+      joints_arrive_s_ =
+          std::max(joints_arrive_s_, kPeakOverMean * way / (slides ? kFastestSlide_m_s : kFastestJoint_rad_s));
+    }
+  }
+  [[nodiscard]] double arrival_s() const { return std::max(joints_arrive_s_, base_.arrival_s()); }
+
+  [[nodiscard]] JointAngles anglesAt(double time_s) const {
+    if (time_s >= joints_arrive_s_) return angles_;
+    const double left = 1 - minimumJerk(std::max(time_s, 0.0) / joints_arrive_s_);
+    JointAngles angles = angles_;
+    for (auto& [name, position] : angles.positions) position += left * (from_.positions.at(name) - position);
+    return angles;
+  }
+  /// R_v_w.
+  [[nodiscard]] Eigen::Matrix3d orientationAt(double time_s) const { return base_.orientationAt(time_s); }
+  /// Of a body with the placement T_l_b on a link. While joints move, its acceleration is the difference quotient of
+  /// where it is 1 ms before and after.
+  [[nodiscard]] BodyMotion motionOf(std::size_t link, const SE3& T_l_b, double time_s) const {
+    const BodyMotion base = base_.at(time_s);
+    if (time_s >= joints_arrive_s_) return seenFrom((T_w_l_[link] * T_l_b).R, base);
+    const Eigen::Vector3d hand_b = handIn(link, T_l_b);
+    std::array<Eigen::Matrix3d, 3> R_v_b;
+    std::array<Eigen::Vector3d, 3> place_v;
+    const std::array<Stance, 3>& stances = around(time_s);
+    for (std::size_t k = 0; k < stances.size(); ++k) {
+      const SE3 T_w_b = stances[k].T_w_l[link] * T_l_b;
+      R_v_b[k] = stances[k].R_v_w * T_w_b.R;
+      place_v[k] = stances[k].R_v_w * (T_w_b * hand_b - hand_w_);
+    }
+    const Eigen::Vector3d acceleration_v = secondDerivative(place_v[0], place_v[1], place_v[2]);
+    const Eigen::Matrix3d turning_v = secondDerivative(R_v_b[0], R_v_b[1], R_v_b[2]);
+    const Eigen::Vector3d force_v = stances[1].R_v_w * base.up_b + acceleration_v / kStandardGravity;
+    return {R_v_b[1].transpose() * force_v, R_v_b[1].transpose() * turning_v / kStandardGravity};
+  }
+  /// The point of the body that motionOf() refers to: the one that is in the hand once all joints stand.
+  [[nodiscard]] Eigen::Vector3d handIn(std::size_t link, const SE3& T_l_b) const {
+    return (T_w_l_[link] * T_l_b).inverse() * hand_w_;
+  }
+
+ private:
+  struct Stance {
+    Eigen::Matrix3d R_v_w;
+    std::vector<SE3> T_w_l;
+  };
+  /// Before, at and after that time.
+  [[nodiscard]] const std::array<Stance, 3>& around(double time_s) const {
+    if (around_s_ == time_s) return around_;
+    around_s_ = time_s;
+    for (std::size_t k = 0; k < around_.size(); ++k) {
+      const double then_s = time_s + (static_cast<double>(k) - 1) * kQuotientStep_s;
+      around_[k] = {orientationAt(then_s), robot_.forward(anglesAt(then_s))};
+    }
+    return around_;
+  }
+
+  RobotModel robot_;
+  JointAngles angles_;
+  HandMotion base_;
+  Eigen::Vector3d hand_w_;
+  std::vector<SE3> T_w_l_;  ///< once all joints stand
+  JointAngles from_;
+  double joints_arrive_s_ = 0;
+  // All bodies are asked for at one time, and the links are where they are for all of them.
+  mutable double around_s_ = -1;
+  mutable std::array<Stance, 3> around_;
+};
 
 /// A robot's skin has as much room between the recordings as one in a hand.
 constexpr double kPauseBetweenPoses_s = 10;
@@ -69,9 +173,6 @@ std::vector<Fault> faultsAmong(const std::vector<Fault>& faults, std::uint32_t b
 
 }  // namespace
 
-SimulatedRobotOptions::SimulatedRobotOptions()
-    : zero_offset_sigma_rad(0.5 * kDegree), base_tilt_sigma_rad(1 * kDegree) {}
-
 void SimulatedRobotOptions::validate() const {
   const auto notNegative = [](double value, const std::string& name) {
     if (!(value >= 0 && std::isfinite(value))) {
@@ -88,11 +189,7 @@ void SimulatedRobotOptions::validate() const {
 }
 
 SimulatedRobotOptions SimulatedRobotOptions::ideal() {
-  SimulatedRobotOptions options;
-  options.zero_offset_sigma_rad = 0;
-  options.base_tilt_sigma_rad = 0;
-  options.skin = SimulatedSkinOptions::ideal();
-  return options;
+  return {.zero_offset_sigma_rad = 0, .base_tilt_sigma_rad = 0, .skin = SimulatedSkinOptions::ideal()};
 }
 
 struct SimulatedRobot::State {
@@ -131,185 +228,155 @@ struct SimulatedRobot::State {
   std::uint64_t live_tick = 0;  ///< since the hold began
   double live_clock_s = 0;
 
-  State(CellModel cell_model, RobotModel robot_model, SimulatedRobotOptions robot_options);
-  void mount(const PatchMount& mount, std::uint64_t seed);
-  void drawErrors();
-  [[nodiscard]] Eigen::Vector3d middleOfPatches(const std::vector<SE3>& T_w_l) const;
+  State(CellModel cell_model, RobotModel robot_model, SimulatedRobotOptions robot_options)
+      : model(std::move(cell_model)), robot(std::move(robot_model)), options(std::move(robot_options)) {
+    options.validate();
+    std::mt19937_64 seeds = randomStream(options.seed, Stream::RobotSkin);
+    for (const PatchMount& patch : options.mounts) mount(patch, seeds());
+    for (const Mounted& mounted : skins)
+      model.interface_id = std::max(model.interface_id, mounted.skin.model().interface_id);
+    const CellId above_all(static_cast<std::uint32_t>(neighbors.size()) + 1);
+    model.interface_id = std::max(model.interface_id, above_all);
+    drawErrors();
+  }
+  void mount(const PatchMount& mount, std::uint64_t seed) {
+    const std::size_t link = robot.linkNamed(mount.link);
+    parseLivePatch(mount.patch);
+    SimulatedSkinOptions skin_options = options.skin;
+    skin_options.patch = mount.patch;
+    skin_options.surface = mount.surface;
+    skin_options.seed = seed;
+    skin_options.lot_seed = options.seed;
+    skin_options.hand_held = options.base == BaseHold::Hand;
+    const auto ids_before = static_cast<std::uint32_t>(neighbors.size());
+    const std::size_t cells = planPatch(mount.patch, model).cell_count;
+    skin_options.faults = faultsAmong(options.skin.faults, ids_before, cells);
+    skin_options.link_faults = faultsAmong(options.skin.link_faults, ids_before, cells);
+    // A body's own frame is the link's; other surfaces are carried to where the patch's middle is wanted.
+    SE3 T_l_b;
+    if (mount.surface.empty() && robot.hasBody(link)) {
+      skin_options.laid_on = std::make_shared<MeshSurface>(robot.bodyOf(link), mount.T_l_m, model.thickness_m);
+    }
+    SimulatedSkin skin = numberedFrom(ids_before + 1, mount.link, [&] { return SimulatedSkin(model, skin_options); });
+    if (!skin_options.laid_on) T_l_b = mount.T_l_m * makeSurface(skin.options().surface)->middle().inverse();
 
-  [[nodiscard]] JointAngles drawAngles(std::mt19937_64& random) const;
-  [[nodiscard]] JointAngles trueAngles(JointAngles reported) const;
+    MountedPatch patch{mount.link, robot.links()[robot.partOf(link)].name, {}, {}};
+    const auto renumbered = [&](CellId id) { return id.value() == 0 ? id : CellId(id.value() + ids_before); };
+    for (const TrueCell& cell : skin.truth()) {
+      patch.cells.push_back(renumbered(cell.id));
+      patch.T_l_u.push_back(T_l_b * cell.T_b_u);
+    }
+    for (CellReport report : skin.neighbors()) {
+      report.id = renumbered(report.id);
+      for (NeighborReport& neighbor : report.neighbors) neighbor.cell = renumbered(neighbor.cell);
+      neighbors.push_back(std::move(report));
+    }
+    patches.push_back(std::move(patch));
+    skins.push_back({std::move(skin), link, T_l_b, ids_before});
+  }
+  void drawErrors() {
+    NormalSource normal(randomStream(options.seed, Stream::RobotZero));
+    const double tilt_x = options.base_tilt_sigma_rad * normal.next();
+    const double tilt_y = options.base_tilt_sigma_rad * normal.next();
+    if (options.base == BaseHold::Fixed) tilted_up_w = expSO3({tilt_x, tilt_y, 0}) * Eigen::Vector3d::UnitZ();
+    for (const RobotJoint& joint : robot.joints()) {
+      if (!joint.isFree()) continue;
+      const double offset_rad = options.zero_offset_sigma_rad * normal.next();
+      zero_offsets.positions[joint.name] = joint.type == JointType::Prismatic ? 0 : offset_rad;
+    }
+  }
+  /// In the base's frame.
+  [[nodiscard]] Eigen::Vector3d middleOfPatches(const std::vector<SE3>& T_w_l) const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < skins.size(); ++k) sum += T_w_l[skins[k].link] * patches[k].T_l_u.front().t;
+    return sum / static_cast<double>(skins.size());
+  }
+
+  [[nodiscard]] JointAngles drawAngles(std::mt19937_64& random) const {
+    JointAngles angles;
+    std::uniform_real_distribution<double> share(0, 1);
+    for (const RobotJoint& joint : robot.joints()) {
+      if (!joint.isFree()) continue;
+      const JointLimits range = drawnRange(joint, options.range_share);
+      angles.positions[joint.name] = range.lower + share(random) * (range.upper - range.lower);
+    }
+    return angles;
+  }
+  [[nodiscard]] JointAngles trueAngles(JointAngles reported) const {
+    for (auto& [name, position] : reported.positions) position += zero_offsets.positions.at(name);
+    return reported;
+  }
   [[nodiscard]] Held hold(JointAngles reported, const Eigen::Vector3d& up_w, bool by_hand,
-                          std::mt19937_64& random) const;
-  Held drawPose();
-  [[nodiscard]] CarriedBody carried(std::size_t k, const RobotHold& hold) const;
+                          std::mt19937_64& random) const {
+    SimulatedRobotPose pose;
+    pose.true_angles = trueAngles(reported);
+    pose.reported = std::move(reported);
+    pose.T_w_l = robot.forward(pose.true_angles);
+    HandMotion base = by_hand ? HandMotion(up_w, options.skin, random) : HandMotion(up_w);
+    pose.up_w = base.orientationAt(0).transpose() * Eigen::Vector3d::UnitZ();
+    RobotHold robot_hold(robot, pose.true_angles, std::move(base), middleOfPatches(pose.T_w_l));
+    return {std::move(pose), std::move(robot_hold)};
+  }
+  /// The next pose of the robot's own choice.
+  Held drawPose() {
+    const std::size_t index = poses++;
+    std::mt19937_64 random = randomStream(options.seed, Stream::RobotPose, index);
+    JointAngles reported = drawAngles(random);
+    const bool in_hand = options.base == BaseHold::Hand && index > 0;
+    const Eigen::Vector3d up_w = in_hand ? drawDirection(random) : tilted_up_w;
+    return hold(std::move(reported), up_w, in_hand, random);
+  }
+  /// The robot as what carries one of its skins. `hold` must outlive it.
+  [[nodiscard]] CarriedBody carried(std::size_t k, const RobotHold& hold) const {
+    return {[this, k, &hold](double time_s) { return hold.motionOf(skins[k].link, skins[k].T_l_b, time_s); },
+            hold.handIn(skins[k].link, skins[k].T_l_b)};
+  }
 
   [[nodiscard]] double rate_hz() const { return skins.front().skin.rate_hz(); }
   [[nodiscard]] double liveTime_s() const { return static_cast<double>(live_tick) / rate_hz(); }
-  void holdLive(Held next);
+  void holdLive(Held next) {
+    if (live) next.hold.arriveFrom(live->hold, liveTime_s());
+    live = std::move(next);
+    live_tick = 0;
+    for (std::size_t k = 0; k < skins.size(); ++k) skins[k].skin.carry(carried(k, live->hold));
+  }
   /// In the next pose, unless it stands in one already.
-  void beginLive();
+  void beginLive() {
+    if (!live) holdLive(drawPose());
+  }
   /// Which of the skins has the cell.
-  [[nodiscard]] std::size_t indexOf(CellId cell) const;
+  [[nodiscard]] std::size_t indexOf(CellId cell) const {
+    std::size_t k = skins.size() - 1;
+    while (skins[k].ids_before >= cell.value()) --k;
+    return k;
+  }
   [[nodiscard]] Mounted& skinOf(CellId cell) { return skins[indexOf(cell)]; }
   /// In the base's frame, were the joints at these angles.
-  [[nodiscard]] Eigen::Matrix3d rotationOf(CellId cell, const JointAngles& reported) const;
-  [[nodiscard]] JointAngles anglesNearest(CellId cell, const Eigen::Vector3d& up_u, std::mt19937_64& random) const;
+  [[nodiscard]] Eigen::Matrix3d rotationOf(CellId cell, const JointAngles& reported) const {
+    const std::size_t k = indexOf(cell);
+    const std::vector<SE3> T_w_l = robot.forward(trueAngles(reported));
+    return T_w_l[skins[k].link].R * patches[k].T_l_u[skins[k].idOnSkin(cell).value() - 1].R;
+  }
+  /// Of angles drawn at random, those at which the direction of the cell's points up most exactly.
+  [[nodiscard]] JointAngles anglesNearest(CellId cell, const Eigen::Vector3d& up_u, std::mt19937_64& random) const {
+    JointAngles nearest;
+    double least_rad = 2 * kPi;
+    for (std::size_t k = 0; k < kTriesOfAngles; ++k) {
+      JointAngles angles = drawAngles(random);
+      const double off_rad = angleBetween(rotationOf(cell, angles) * up_u, tilted_up_w);
+      if (off_rad >= least_rad) continue;
+      least_rad = off_rad;
+      nearest = std::move(angles);
+    }
+    if (least_rad > kNearEnough) {
+      throw InvalidArgument(
+          message("the joints can't turn cell {} there: they come within {}", cell, Degrees{least_rad, 0}));
+    }
+    return nearest;
+  }
 };
 
-SimulatedRobot::State::State(CellModel cell_model, RobotModel robot_model, SimulatedRobotOptions robot_options)
-    : model(std::move(cell_model)), robot(std::move(robot_model)), options(std::move(robot_options)) {
-  options.validate();
-  std::mt19937_64 seeds = randomStream(options.seed, Stream::RobotSkin);
-  for (const PatchMount& patch : options.mounts) mount(patch, seeds());
-  for (const Mounted& mounted : skins)
-    model.interface_id = std::max(model.interface_id, mounted.skin.model().interface_id);
-  const CellId above_all(static_cast<std::uint32_t>(neighbors.size()) + 1);
-  model.interface_id = std::max(model.interface_id, above_all);
-  drawErrors();
-}
-
-void SimulatedRobot::State::mount(const PatchMount& mount, std::uint64_t seed) {
-  const std::size_t link = robot.linkNamed(mount.link);
-  parseLivePatch(mount.patch);
-  SimulatedSkinOptions skin_options = options.skin;
-  skin_options.patch = mount.patch;
-  skin_options.surface = mount.surface;
-  skin_options.seed = seed;
-  skin_options.lot_seed = options.seed;
-  skin_options.hand_held = options.base == BaseHold::Hand;
-  const auto ids_before = static_cast<std::uint32_t>(neighbors.size());
-  const std::size_t cells = planPatch(mount.patch, model).cell_count;
-  skin_options.faults = faultsAmong(options.skin.faults, ids_before, cells);
-  skin_options.link_faults = faultsAmong(options.skin.link_faults, ids_before, cells);
-  // A body's own frame is the link's; other surfaces are carried to where the patch's middle is wanted.
-  SE3 T_l_b;
-  if (mount.surface.empty() && robot.hasBody(link)) {
-    skin_options.laid_on = std::make_shared<MeshSurface>(robot.bodyOf(link), mount.T_l_m, model.thickness_m);
-  }
-  SimulatedSkin skin = numberedFrom(ids_before + 1, mount.link, [&] { return SimulatedSkin(model, skin_options); });
-  if (!skin_options.laid_on) T_l_b = mount.T_l_m * makeSurface(skin.options().surface)->middle().inverse();
-
-  MountedPatch patch{mount.link, robot.links()[robot.partOf(link)].name, {}, {}};
-  const auto renumbered = [&](CellId id) { return id.value() == 0 ? id : CellId(id.value() + ids_before); };
-  for (const TrueCell& cell : skin.truth()) {
-    patch.cells.push_back(renumbered(cell.id));
-    patch.T_l_u.push_back(T_l_b * cell.T_b_u);
-  }
-  for (CellReport report : skin.neighbors()) {
-    report.id = renumbered(report.id);
-    for (NeighborReport& neighbor : report.neighbors) neighbor.cell = renumbered(neighbor.cell);
-    neighbors.push_back(std::move(report));
-  }
-  patches.push_back(std::move(patch));
-  skins.push_back({std::move(skin), link, T_l_b, ids_before});
-}
-
-void SimulatedRobot::State::drawErrors() {
-  NormalSource normal(randomStream(options.seed, Stream::RobotZero));
-  const double tilt_x = options.base_tilt_sigma_rad * normal.next();
-  const double tilt_y = options.base_tilt_sigma_rad * normal.next();
-  if (options.base == BaseHold::Fixed) tilted_up_w = expSO3({tilt_x, tilt_y, 0}) * Eigen::Vector3d::UnitZ();
-  for (const RobotJoint& joint : robot.joints()) {
-    if (!joint.isFree()) continue;
-    const double offset_rad = options.zero_offset_sigma_rad * normal.next();
-    zero_offsets.positions[joint.name] = joint.type == JointType::Prismatic ? 0 : offset_rad;
-  }
-}
-
-/// In the base's frame.
-Eigen::Vector3d SimulatedRobot::State::middleOfPatches(const std::vector<SE3>& T_w_l) const {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < skins.size(); ++k) sum += T_w_l[skins[k].link] * patches[k].T_l_u.front().t;
-  return sum / static_cast<double>(skins.size());
-}
-
 // ---- poses
-
-JointAngles SimulatedRobot::State::drawAngles(std::mt19937_64& random) const {
-  JointAngles angles;
-  std::uniform_real_distribution<double> share(0, 1);
-  for (const RobotJoint& joint : robot.joints()) {
-    if (!joint.isFree()) continue;
-    const JointLimits range = drawnRange(joint, options.range_share);
-    angles.positions[joint.name] = range.lower + share(random) * (range.upper - range.lower);
-  }
-  return angles;
-}
-
-JointAngles SimulatedRobot::State::trueAngles(JointAngles reported) const {
-  for (auto& [name, position] : reported.positions) position += zero_offsets.positions.at(name);
-  return reported;
-}
-
-SimulatedRobot::State::Held SimulatedRobot::State::hold(JointAngles reported, const Eigen::Vector3d& up_w, bool by_hand,
-                                                        std::mt19937_64& random) const {
-  SimulatedRobotPose pose;
-  pose.true_angles = trueAngles(reported);
-  pose.reported = std::move(reported);
-  pose.T_w_l = robot.forward(pose.true_angles);
-  HandMotion base = by_hand ? HandMotion(up_w, options.skin, random) : HandMotion(up_w);
-  pose.up_w = base.orientationAt(0).transpose() * Eigen::Vector3d::UnitZ();
-  RobotHold robot_hold(robot, pose.true_angles, std::move(base), middleOfPatches(pose.T_w_l));
-  return {std::move(pose), std::move(robot_hold)};
-}
-
-/// The next pose of the robot's own choice.
-SimulatedRobot::State::Held SimulatedRobot::State::drawPose() {
-  const std::size_t index = poses++;
-  std::mt19937_64 random = randomStream(options.seed, Stream::RobotPose, index);
-  JointAngles reported = drawAngles(random);
-  const bool in_hand = options.base == BaseHold::Hand && index > 0;
-  const Eigen::Vector3d up_w = in_hand ? drawDirection(random) : tilted_up_w;
-  return hold(std::move(reported), up_w, in_hand, random);
-}
-
-/// The robot as what carries one of its skins. `hold` must outlive it.
-CarriedBody SimulatedRobot::State::carried(std::size_t k, const RobotHold& hold) const {
-  return {[this, k, &hold](double time_s) { return hold.motionOf(skins[k].link, skins[k].T_l_b, time_s); },
-          hold.handIn(skins[k].link, skins[k].T_l_b)};
-}
-
-void SimulatedRobot::State::holdLive(Held next) {
-  if (live) next.hold.arriveFrom(live->hold, liveTime_s());
-  live = std::move(next);
-  live_tick = 0;
-  for (std::size_t k = 0; k < skins.size(); ++k) skins[k].skin.carry(carried(k, live->hold));
-}
-
-void SimulatedRobot::State::beginLive() {
-  if (!live) holdLive(drawPose());
-}
-
-std::size_t SimulatedRobot::State::indexOf(CellId cell) const {
-  std::size_t k = skins.size() - 1;
-  while (skins[k].ids_before >= cell.value()) --k;
-  return k;
-}
-
-Eigen::Matrix3d SimulatedRobot::State::rotationOf(CellId cell, const JointAngles& reported) const {
-  const std::size_t k = indexOf(cell);
-  const std::vector<SE3> T_w_l = robot.forward(trueAngles(reported));
-  return T_w_l[skins[k].link].R * patches[k].T_l_u[skins[k].idOnSkin(cell).value() - 1].R;
-}
-
-/// Of angles drawn at random, those at which the direction of the cell's points up most exactly.
-JointAngles SimulatedRobot::State::anglesNearest(CellId cell, const Eigen::Vector3d& up_u,
-                                                 std::mt19937_64& random) const {
-  JointAngles nearest;
-  double least_rad = 2 * kPi;
-  for (std::size_t k = 0; k < kTriesOfAngles; ++k) {
-    JointAngles angles = drawAngles(random);
-    const double off_rad = angleBetween(rotationOf(cell, angles) * up_u, tilted_up_w);
-    if (off_rad >= least_rad) continue;
-    least_rad = off_rad;
-    nearest = std::move(angles);
-  }
-  if (least_rad > kNearEnough) {
-    throw InvalidArgument(
-        message("the joints can't turn cell {} there: they come within {}", cell, Degrees{least_rad, 0}));
-  }
-  return nearest;
-}
 
 SimulatedRobot::SimulatedRobot(CellModel model, RobotModel robot, SimulatedRobotOptions options)
     : state_(std::make_unique<State>(std::move(model), std::move(robot), std::move(options))) {

@@ -32,17 +32,16 @@ enum class BaseHold {
 
 /// A robot, its patches, and what holds it.
 struct SimulatedRobotOptions {
-  std::vector<PatchMount> mounts;
+  std::vector<PatchMount> mounts{};
   std::uint64_t seed = 1;
   BaseHold base = BaseHold::Fixed;
-  double zero_offset_sigma_rad = 0;  ///< of the joints' encoders; set by the constructor to 0.5 degrees
-  double base_tilt_sigma_rad = 0;    ///< of a fixed base about x and about y; 1 degree
-  double range_share = 0.9;          ///< middle part of each joint's range in which poses are drawn
+  double zero_offset_sigma_rad = 0.5 * kDegree;  ///< of the joints' encoders
+  double base_tilt_sigma_rad = 1 * kDegree;      ///< of a fixed base about x and about y
+  double range_share = 0.9;                      ///< middle part of each joint's range in which poses are drawn
   /// Errors of the cells and the hand, motors (`on_robot`), and faults, by the robot's numbers of its cells. What
   /// mounts and seed say replaces patch, surface, and seed.
   SimulatedSkinOptions skin{};
 
-  SimulatedRobotOptions();
   /// Throws InvalidArgument naming the option.
   void validate() const;
   /// Nothing is drawn but the poses: no tilt, no zero offsets, ideal skins on a fixed base.

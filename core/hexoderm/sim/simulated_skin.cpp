@@ -4,20 +4,87 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/rounding.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/sim/hand_motion.h"
 #include "hexoderm/sim/patch_layout.h"
 #include "hexoderm/sim/patch_plan.h"
 #include "hexoderm/sim/random_streams.h"
-#include "hexoderm/sim/robot_motion.h"
 #include "hexoderm/sim/simulated_faults.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <random>
 
 namespace hexoderm {
 namespace {
+
+constexpr double kReach_rad = 60 * kDegree;
+constexpr double kShortestStay_s = 3;
+constexpr double kLongestStay_s = 8;
+// Readings 50 ms apart then correlate by 0.3, as those of the real leg do by 0 to 0.4.
+constexpr double kCorrelation_s = 0.04;
+
+/// Van der Corput's sequence in base 2, 0 to 1: every number far from those before it.
+double spread(std::size_t number) {
+  double value = 0;
+  for (double share = 0.5; number > 0; number /= 2, share /= 2) value += share * static_cast<double>(number % 2);
+  return value;
+}
+
+Eigen::Vector3d upAt(double angle_rad) { return {0, std::sin(angle_rad), std::cos(angle_rad)}; }
+
+/// A single joint about the body's x axis, which is level, and vibration. Where it goes and for how long it stays
+/// follow from the number of the hold.
+class RobotMotion {
+ public:
+  RobotMotion(const SimulatedSkinOptions& options, std::size_t cells) {
+    std::mt19937_64 random = randomStream(options.seed, Stream::Vibration);
+    std::uniform_real_distribution<double> rms(options.least_vibration_g, options.most_vibration_g);
+    cells_.reserve(cells);
+    for (std::size_t k = 0; k < cells; ++k) {
+      const double x = rms(random);
+      const double y = rms(random);
+      cells_.push_back({{x, y, rms(random)}});
+    }
+  }
+
+  static constexpr double kFastest_rad_s = 20 * kDegree;
+  /// The direction that points up in a hold, body frame, counted from 0.
+  static Eigen::Vector3d upOf(std::size_t hold) {
+    // Upright, at one end, at the other, and then in between.
+    if (hold == 0) return upAt(0);
+    if (hold <= 2) return upAt(hold == 1 ? kReach_rad : -kReach_rad);
+    return upAt(kReach_rad * (1 - 2 * spread(hold - 1)));
+  }
+  /// The reachable direction that is nearest to `up_b`.
+  static Eigen::Vector3d nearestTo(const Eigen::Vector3d& up_b) {
+    return upAt(std::clamp(std::atan2(up_b.y(), up_b.z()), -kReach_rad, kReach_rad));
+  }
+  /// For how long the part is held.
+  static double staysFor_s(std::size_t hold) {
+    return kLongestStay_s - (kLongestStay_s - kShortestStay_s) * spread(hold);
+  }
+
+  /// What vibration adds to a cell's reading at its next tick, g, `step_s` after the one before. `unit` is drawn anew
+  /// for every tick: three normal numbers of variance 1.
+  Eigen::Vector3d vibration(std::size_t cell, double step_s, const Eigen::Vector3d& unit) {
+    Shaken& shaken = cells_[cell];
+    // Noise through a low pass of first order, stationary from its first value on.
+    const double kept = shaken.has_begun ? std::exp(-step_s / kCorrelation_s) : 0;
+    shaken.now = kept * shaken.now + std::sqrt(1 - kept * kept) * unit;
+    shaken.has_begun = true;
+    return shaken.rms_g.cwiseProduct(shaken.now);
+  }
+
+ private:
+  struct Shaken {
+    Eigen::Vector3d rms_g;
+    Eigen::Vector3d now = Eigen::Vector3d::Zero();  ///< of variance 1
+    bool has_begun = false;
+  };
+  std::vector<Shaken> cells_;
+};
 
 constexpr double kPauseBetweenRecordings_s = 10;
 constexpr double kHandOffset_m = 0.02;
@@ -29,8 +96,6 @@ struct SensorChain {
   Eigen::Vector3d position_b;  ///< position of the accelerometer
 };
 
-CellId cellNumbered(std::size_t index) { return CellId(static_cast<std::uint32_t>(index + 1)); }
-
 constexpr EnumNames<LinkLaw> kLinkLaws = {{"bend", "surface"}};
 
 }  // namespace
@@ -41,14 +106,6 @@ LinkLaw linkLawFromName(std::string_view name) {
   if (const std::optional<LinkLaw> law = kLinkLaws.find(name)) return *law;
   throw InvalidArgument("link_law: expected bend or surface, found \"" + std::string(name) + "\"");
 }
-
-SimulatedSkinOptions::SimulatedSkinOptions()
-    : yaw_jitter_rad(1 * kDegree),
-      tilt_jitter_rad(0.5 * kDegree),
-      hand_orientation_sigma_rad(3 * kDegree),
-      tremor_angle_sigma_rad(0.05 * kDegree),
-      drift_rad_per_s(0.5 * kDegree),
-      joint_angle_rad(20 * kDegree) {}
 
 void SimulatedSkinOptions::validate() const {
   const auto notNegative = [](double value, const std::string& name) {
@@ -128,68 +185,153 @@ struct SimulatedSkin::State {
   }
   [[nodiscard]] double liveTime_s() const { return static_cast<double>(live->tick) / rate_hz(); }
 
-  Hold hold(const Eigen::Vector3d& up_b);
-  Hold hold(const CarriedBody& body);
-  void record(Hold holding, std::size_t frame_count, const FrameSink& take);
-  void holdLive(Hold holding);
+  /// A new hold, by hand unless it is the skin's first.
+  Hold hold(const Eigen::Vector3d& up_b) {
+    const Eigen::Vector3d wanted_b = unitUp(up_b);
+    const std::size_t recording = recordings++;
+    std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
+    const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : wanted_b;
+    const bool in_hand = options.hand_held && recording > 0;
+    HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
+    // A hand holds the part near its middle, not in it.
+    const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
+    return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
+            !bent_sensors.empty() && recording % 2 == 1, recording};
+  }
+  Hold hold(const CarriedBody& body) {
+    const std::size_t recording = recordings++;
+    return {HandMotion(Eigen::Vector3d::UnitZ()),
+            body.hand_b,
+            randomStream(options.seed, Stream::Noise, recording),
+            !bent_sensors.empty() && recording % 2 == 1,
+            recording,
+            0,
+            body.motion};
+  }
+  void record(Hold holding, std::size_t frame_count, const FrameSink& take) {
+    NormalSource noise(holding.noise);
+    SampleFrame frame;
+    for (std::size_t k = 0; k < frame_count; ++k) {
+      frame.samples.clear();
+      frame.time_s = clock_s + static_cast<double>(k) / rate_hz();
+      sense(holding, noise, frame);
+      take(frame);
+    }
+    clock_s += static_cast<double>(frame_count) / rate_hz() + kPauseBetweenRecordings_s;
+  }
+  std::vector<SampleFrame> framesOf(Hold holding, std::size_t frame_count) {
+    std::vector<SampleFrame> frames;
+    frames.reserve(frame_count);
+    record(std::move(holding), frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
+    return frames;
+  }
+  void holdLive(Hold holding) {
+    live = std::move(holding);
+    live_noise = FastNormalSource(live->noise);
+  }
   /// On a table, unless it is held already.
-  void beginLive();
+  void beginLive() {
+    if (!live) holdLive(hold(Eigen::Vector3d::UnitZ()));
+  }
+  /// Readings of all cells at the hold's next tick.
   template <class Noise>
-  void sense(Hold& holding, Noise& noise, SampleFrame& frame);
+  void sense(Hold& holding, Noise& noise, SampleFrame& frame) {
+    const Accelerometer& accelerometer = model.accelerometer;
+    // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
+    const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
+    const auto asOutput = [&](const Eigen::Vector3d& value_g) {
+      Eigen::Vector3d output = value_g;
+      if (options.sensor_noise && accelerometer.lsb_g > 0) {
+        for (double& value : output) value = accelerometer.lsb_g * nearestWhole(value / accelerometer.lsb_g);
+      }
+      return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
+    };
+    const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
+    const BodyMotion body = holding.at(static_cast<double>(holding.tick++) / rate_hz());
+    frame.samples.reserve(truth.size());
+    bool all_send_their_own = options.whole_skin_faults.empty();
+    for (std::size_t c = 0; c < truth.size(); ++c) {
+      const SensorChain& sensor = chains[c];
+      CellHealth& cell = health[c];
+      all_send_their_own = all_send_their_own && !cell.sendsAnothers();
+      // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
+      const Eigen::Vector3d unit_noise =
+          options.sensor_noise || cell.has(SkinFault::Noisy) ? noise.nextVector() : Eigen::Vector3d::Zero();
+      const Eigen::Vector3d vibration =
+          robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
+      if (cell.has(SkinFault::NoSamples)) continue;
+      Eigen::Vector3d force_b = body.up_b + body.field_b * (sensor.position_b - holding.hand_b);
+      if (cell.turn && (!cell.has(SkinFault::Reglued) || holding.recording >= options.reglued_before)) {
+        const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
+        force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
+      }
+      Eigen::Vector3d reading = sensor.gain_R_a_b * force_b + sensor.offset_g;
+      reading += vibration;
+      reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
+      reading = cell.sent(asOutput(reading));
+      frame.samples.push_back({cellNumbered(c), reading});
+    }
+    if (!all_send_their_own) wrong_delivery->apply(health, holding.recording, frame);
+  }
 
-  State(CellModel cell_model, SimulatedSkinOptions skin_options);
+  State(CellModel cell_model, SimulatedSkinOptions skin_options)
+      : model(std::move(cell_model)), options(std::move(skin_options)) {
+    model.validate();
+    options.validate();
+    const PatchPlan plan = planPatch(options.patch, model);
+    surface_text = options.surface;
+    if (options.laid_on) options.surface = surface_text = "a body";
+    if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
+    if (options.surface.empty() && plan.is_ring) {
+      const double radius = closingRadius(model, plan.cell_count, options.link_law == LinkLaw::Bend);
+      options.surface = "cylinder:r=" + formatExact(radius);
+      surface_text = "cylinder:r=" + formatFixed(radius, 4);
+    }
+    if (options.surface.empty()) options.surface = surface_text = "plane";
+    const std::shared_ptr<const Surface> surface = options.laid_on ? options.laid_on : makeSurface(options.surface);
+
+    // IDs run from 1 without gaps, and none may be an interface's: a skin larger than the model's range of IDs gets a
+    // wider range.
+    const CellId above_all(static_cast<std::uint32_t>(plan.cell_count) + 1);
+    model.interface_id = std::max(model.interface_id, above_all);
+    loop = plan.loop;
+    LinkFaults link_faults(plan, model, options);
+    neighbors.resize(plan.cell_count);
+    reportNeighbors(link_faults.takeReportedLinks());
+    drawCells(layPatch(plan, *surface, options.link_law));
+    link_faults.pullCables(truth);
+    sensors = sensorsOf({});
+    if (const std::vector<SE3> bending = link_faults.bendingOf(truth); !bending.empty()) {
+      bent_sensors = sensorsOf(bending);
+    }
+    health = breakCells(options, truth.size());
+    if (options.on_robot) robot.emplace(options, truth.size());
+    wrong_delivery.emplace(options, neighbors);
+  }
 
  private:
-  void reportNeighbors(const std::vector<PlannedLink>& links);
+  void reportNeighbors(const std::vector<PlannedLink>& links) {
+    for (std::size_t k = 0; k < neighbors.size(); ++k) neighbors[k].id = cellNumbered(k);
+    for (const PlannedLink& link : links) {
+      CellReport& source = neighbors[link.source];
+      CellReport& target = neighbors[link.target];
+      source.neighbors.push_back({link.source_port.number, target.id, link.target_port.number});
+      target.neighbors.push_back({link.target_port.number, source.id, link.source_port.number});
+    }
+    for (CellReport& cell : neighbors) std::ranges::sort(cell.neighbors, {}, &NeighborReport::port);
+  }
   void drawCells(const std::vector<SE3>& placements);
-  [[nodiscard]] std::vector<SensorChain> sensorsOf(const std::vector<SE3>& bending) const;
+  [[nodiscard]] std::vector<SensorChain> sensorsOf(const std::vector<SE3>& bending) const {
+    std::vector<SensorChain> chains;
+    chains.reserve(truth.size());
+    for (std::size_t k = 0; k < truth.size(); ++k) {
+      SE3 T_b_a = truth[k].T_b_u * model.accelerometer.T_u_a;
+      if (!bending.empty()) T_b_a = bending[k] * T_b_a;
+      chains.push_back({truth[k].gain * T_b_a.R.transpose(), truth[k].offset_g, T_b_a.t});
+    }
+    return chains;
+  }
 };
-
-SimulatedSkin::State::State(CellModel cell_model, SimulatedSkinOptions skin_options)
-    : model(std::move(cell_model)), options(std::move(skin_options)) {
-  model.validate();
-  options.validate();
-  const PatchPlan plan = planPatch(options.patch, model);
-  surface_text = options.surface;
-  if (options.laid_on) options.surface = surface_text = "a body";
-  if (options.surface.empty() && options.patch == "x17") options.surface = surface_text = "cylinder:r=0.0501";
-  if (options.surface.empty() && plan.is_ring) {
-    const double radius = closingRadius(model, plan.cell_count, options.link_law == LinkLaw::Bend);
-    options.surface = "cylinder:r=" + formatExact(radius);
-    surface_text = "cylinder:r=" + formatFixed(radius, 4);
-  }
-  if (options.surface.empty()) options.surface = surface_text = "plane";
-  const std::shared_ptr<const Surface> surface = options.laid_on ? options.laid_on : makeSurface(options.surface);
-
-  // IDs run from 1 without gaps, and none may be an interface's: a skin larger than the model's range of IDs gets a
-  // wider range.
-  const CellId above_all(static_cast<std::uint32_t>(plan.cell_count) + 1);
-  model.interface_id = std::max(model.interface_id, above_all);
-  loop = plan.loop;
-  LinkFaults link_faults(plan, model, options);
-  neighbors.resize(plan.cell_count);
-  reportNeighbors(link_faults.takeReportedLinks());
-  drawCells(layPatch(plan, *surface, options.link_law));
-  link_faults.pullCables(truth);
-  sensors = sensorsOf({});
-  if (const std::vector<SE3> bending = link_faults.bendingOf(truth); !bending.empty()) {
-    bent_sensors = sensorsOf(bending);
-  }
-  health = breakCells(options, truth.size());
-  if (options.on_robot) robot.emplace(options, truth.size());
-  wrong_delivery.emplace(options, neighbors);
-}
-
-void SimulatedSkin::State::reportNeighbors(const std::vector<PlannedLink>& links) {
-  for (std::size_t k = 0; k < neighbors.size(); ++k) neighbors[k].id = cellNumbered(k);
-  for (const PlannedLink& link : links) {
-    CellReport& source = neighbors[link.source];
-    CellReport& target = neighbors[link.target];
-    source.neighbors.push_back({link.source_port.number, target.id, link.target_port.number});
-    target.neighbors.push_back({link.target_port.number, source.id, link.source_port.number});
-  }
-  for (CellReport& cell : neighbors) std::ranges::sort(cell.neighbors, {}, &NeighborReport::port);
-}
 
 void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   NormalSource jitter(randomStream(options.seed, Stream::Placement));
@@ -220,17 +362,6 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
     middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
     truth.push_back(cell);
   }
-}
-
-std::vector<SensorChain> SimulatedSkin::State::sensorsOf(const std::vector<SE3>& bending) const {
-  std::vector<SensorChain> chains;
-  chains.reserve(truth.size());
-  for (std::size_t k = 0; k < truth.size(); ++k) {
-    SE3 T_b_a = truth[k].T_b_u * model.accelerometer.T_u_a;
-    if (!bending.empty()) T_b_a = bending[k] * T_b_a;
-    chains.push_back({truth[k].gain * T_b_a.R.transpose(), truth[k].offset_g, T_b_a.t});
-  }
-  return chains;
 }
 
 SimulatedSkin::SimulatedSkin(CellModel model, SimulatedSkinOptions options)
@@ -279,109 +410,16 @@ Message SimulatedSkin::description() const {
                  linkLawName(state_->options.link_law), state_->options.seed);
 }
 
-/// A new hold, by hand unless it is the skin's first.
-SimulatedSkin::State::Hold SimulatedSkin::State::hold(const Eigen::Vector3d& up_b) {
-  const Eigen::Vector3d wanted_b = unitUp(up_b);
-  const std::size_t recording = recordings++;
-  std::mt19937_64 hand_random = randomStream(options.seed, Stream::Hand, recording);
-  const Eigen::Vector3d up = robot ? RobotMotion::nearestTo(up_b) : wanted_b;
-  const bool in_hand = options.hand_held && recording > 0;
-  HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
-  // A hand holds the part near its middle, not in it.
-  const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
-  return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
-          !bent_sensors.empty() && recording % 2 == 1, recording};
-}
-
-void SimulatedSkin::State::holdLive(Hold holding) {
-  live = std::move(holding);
-  live_noise = FastNormalSource(live->noise);
-}
-
-void SimulatedSkin::State::beginLive() {
-  if (!live) holdLive(hold(Eigen::Vector3d::UnitZ()));
-}
-
-/// Readings of all cells at the hold's next tick.
-template <class Noise>
-void SimulatedSkin::State::sense(Hold& holding, Noise& noise, SampleFrame& frame) {
-  const Accelerometer& accelerometer = model.accelerometer;
-  // White noise of a density d, sampled at a rate f, has the variance d^2 f / 2.
-  const double white_g = accelerometer.noise_g_per_sqrt_hz * std::sqrt(accelerometer.rate_hz / 2);
-  const auto asOutput = [&](const Eigen::Vector3d& value_g) {
-    Eigen::Vector3d output = value_g;
-    if (options.sensor_noise && accelerometer.lsb_g > 0) {
-      for (double& value : output) value = accelerometer.lsb_g * nearestWhole(value / accelerometer.lsb_g);
-    }
-    return Eigen::Vector3d(output.cwiseMin(accelerometer.range_g).cwiseMax(-accelerometer.range_g));
-  };
-  const std::vector<SensorChain>& chains = holding.is_bent ? bent_sensors : sensors;
-  const BodyMotion body = holding.at(static_cast<double>(holding.tick++) / rate_hz());
-  frame.samples.reserve(truth.size());
-  bool all_send_their_own = options.whole_skin_faults.empty();
-  for (std::size_t c = 0; c < truth.size(); ++c) {
-    const SensorChain& sensor = chains[c];
-    CellHealth& cell = health[c];
-    all_send_their_own = all_send_their_own && !cell.sendsAnothers();
-    // Drawn also where it is not used: a fault of one cell leaves the others' noise as it was.
-    const Eigen::Vector3d unit_noise =
-        options.sensor_noise || cell.has(SkinFault::Noisy) ? noise.nextVector() : Eigen::Vector3d::Zero();
-    const Eigen::Vector3d vibration =
-        robot ? robot->vibration(c, 1 / rate_hz(), noise.nextVector()) : Eigen::Vector3d::Zero();
-    if (cell.has(SkinFault::NoSamples)) continue;
-    Eigen::Vector3d force_b = body.up_b + body.field_b * (sensor.position_b - holding.hand_b);
-    if (cell.turn && (!cell.has(SkinFault::Reglued) || holding.recording >= options.reglued_before)) {
-      const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
-      force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
-    }
-    Eigen::Vector3d reading = sensor.gain_R_a_b * force_b + sensor.offset_g;
-    reading += vibration;
-    reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
-    reading = cell.sent(asOutput(reading));
-    frame.samples.push_back({cellNumbered(c), reading});
-  }
-  if (!all_send_their_own) wrong_delivery->apply(health, holding.recording, frame);
-}
-
-SimulatedSkin::State::Hold SimulatedSkin::State::hold(const CarriedBody& body) {
-  const std::size_t recording = recordings++;
-  return {HandMotion(Eigen::Vector3d::UnitZ()),
-          body.hand_b,
-          randomStream(options.seed, Stream::Noise, recording),
-          !bent_sensors.empty() && recording % 2 == 1,
-          recording,
-          0,
-          body.motion};
-}
-
-void SimulatedSkin::State::record(Hold holding, std::size_t frame_count, const FrameSink& take) {
-  NormalSource noise(holding.noise);
-  SampleFrame frame;
-  for (std::size_t k = 0; k < frame_count; ++k) {
-    frame.samples.clear();
-    frame.time_s = clock_s + static_cast<double>(k) / rate_hz();
-    sense(holding, noise, frame);
-    take(frame);
-  }
-  clock_s += static_cast<double>(frame_count) / rate_hz() + kPauseBetweenRecordings_s;
-}
-
 void SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count, const FrameSink& take) {
   state_->record(state_->hold(up_b), frame_count, take);
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const Eigen::Vector3d& up_b, std::size_t frame_count) {
-  std::vector<SampleFrame> frames;
-  frames.reserve(frame_count);
-  record(up_b, frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
-  return frames;
+  return state_->framesOf(state_->hold(up_b), frame_count);
 }
 
 std::vector<SampleFrame> SimulatedSkin::record(const CarriedBody& body, std::size_t frame_count) {
-  std::vector<SampleFrame> frames;
-  frames.reserve(frame_count);
-  state_->record(state_->hold(body), frame_count, [&](const SampleFrame& frame) { frames.push_back(frame); });
-  return frames;
+  return state_->framesOf(state_->hold(body), frame_count);
 }
 
 void SimulatedSkin::turnTo(const Eigen::Vector3d& up_b) {

@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/se3.h"
 #include "hexoderm/base/surface.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_body.h"
 #include "hexoderm/sim/skin_faults.h"
 
@@ -41,24 +42,23 @@ struct SimulatedSkinOptions : SkinChoice {
   std::shared_ptr<const Surface> laid_on{};
   /// Chips of one lot share a part of their offsets, which is drawn from this; absent: from the seed.
   std::optional<std::uint64_t> lot_seed{};
-  double position_jitter_m = 0.0002;      ///< 1 sigma, along the surface and normal to it
-  double yaw_jitter_rad = 0;              ///< set by the constructor to 1 degree
-  double tilt_jitter_rad = 0;             ///< 0.5 degrees
-  bool sensor_errors = true;              ///< offset, scale and cross-axis drawn with the model's sigmas, as one lot
-  bool sensor_noise = true;               ///< white noise and quantisation
-  bool hand_held = true;                  ///< orientation error, tremor and drift from the second pose on
-  bool on_robot = false;                  ///< a robot with its motors on instead of a hand, see robot()
-  double hand_orientation_sigma_rad = 0;  ///< 3 degrees
-  double tremor_angle_sigma_rad = 0;      ///< 0.05 degrees, 4 to 12 Hz
-  double tremor_acceleration_g = 0.010;   ///< translational, rms, 4 to 12 Hz
-  double drift_rad_per_s = 0;             ///< 0.5 degrees per second
+  double position_jitter_m = 0.0002;  ///< 1 sigma, along the surface and normal to it
+  double yaw_jitter_rad = 1 * kDegree;
+  double tilt_jitter_rad = 0.5 * kDegree;
+  bool sensor_errors = true;  ///< offset, scale and cross-axis drawn with the model's sigmas, as one lot
+  bool sensor_noise = true;   ///< white noise and quantisation
+  bool hand_held = true;      ///< orientation error, tremor and drift from the second pose on
+  bool on_robot = false;      ///< a robot with its motors on instead of a hand, see robot()
+  double hand_orientation_sigma_rad = 3 * kDegree;
+  double tremor_angle_sigma_rad = 0.05 * kDegree;  ///< 4 to 12 Hz
+  double tremor_acceleration_g = 0.010;            ///< translational, rms, 4 to 12 Hz
+  double drift_rad_per_s = 0.5 * kDegree;
   double reading_rate_hz = 0;             ///< readings a second and cell; 0: the cell model's rate
   double least_vibration_g = 0.008;       ///< on a robot: rms of an axis, drawn per cell and axis from this ...
   double most_vibration_g = 0.035;        ///< ... to this
   std::size_t reglued_before = 2;         ///< recordings before the one that Reglued cells turn in front of
-  double joint_angle_rad = 0;  ///< 20 degrees; positive bends the part's front outwards, as around a cylinder
+  double joint_angle_rad = 20 * kDegree;  ///< positive bends the part's front outwards, as around a cylinder
 
-  SimulatedSkinOptions();
   /// Throws InvalidArgument naming the option.
   void validate() const;
   /// No jitter, no sensor errors, no noise, no hand.

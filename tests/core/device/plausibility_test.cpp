@@ -32,7 +32,7 @@ TEST(ReadingCheck, IsSoonAboutUnitsAndPatientAboutShocks) {
   ReadingCheck check;
   int frames = 0;
   while (!check.add(frameOf(9.81), kSensor, "f")) ASSERT_LT(++frames, 20);
-  check.restart();
+  check = {};
   // A shock of 100 frames between rest, again and again.
   for (int k = 0; k < 5000; ++k) {
     const bool shaken = k % 400 >= 200 && k % 400 < 300;

@@ -16,10 +16,6 @@ constexpr std::size_t kMaxModelText = 65536;
 constexpr int kMaxRate = 1'000'000;
 constexpr double kMaxRate_hz = kMaxRate;
 
-bool allFinite(const std::vector<float>& values) {
-  return std::all_of(values.begin(), values.end(), [](float value) { return std::isfinite(value); });
-}
-
 ValidationError wrongValue(const char* field, hexoderm::Message what) {
   return {ProtocolViolationKind::WrongValue, located(field, std::move(what))};
 }
@@ -46,7 +42,8 @@ ValidationError tooLong(const char* field, const std::string& text, std::size_t 
 }
 
 ValidationError notFinite(const char* field, const std::vector<float>& values) {
-  return allFinite(values) ? ValidationError{} : wrongValue(field, message("expected finite numbers"));
+  const bool are_finite = std::ranges::all_of(values, [](float value) { return std::isfinite(value); });
+  return are_finite ? ValidationError{} : wrongValue(field, message("expected finite numbers"));
 }
 
 ValidationError complain(const Hello& hello) {

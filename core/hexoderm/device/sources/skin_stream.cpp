@@ -50,21 +50,7 @@ std::string printable(std::string text) {
 Message printable(const Message& message) { return std::get<Message>(printable(MessageArgument(message)).value); }
 
 void SkinStream::restart() {
-  has_hello_ = false;
-  model_ = nullptr;
-  model_complaint_ = {};
-  assembler_.clear();
-  has_topology_ = false;
-  neighbors_.clear();
-  held_.reset();
-  is_model_held_ = false;
-  device_text_ = {};
-  joint_names_.clear();
-  is_exploring_ = false;
-  was_heard_ = false;
-  was_rejected_ = false;
-  times_asked_ = 0;
-  undescribed_since_.reset();
+  static_cast<ConnectionState&>(*this) = {};
   startCounting();
 }
 
@@ -74,8 +60,8 @@ void SkinStream::startCounting() {
   last_joints_us_ = 0;
   late_from_us_.reset();
   for (auto& last_us : cell_last_us_) std::ranges::fill(last_us, 0);
-  reading_check_.restart();
-  clock_check_.restart();
+  reading_check_ = {};
+  clock_check_ = {};
 }
 
 void SkinStream::forgetLookUp() {
@@ -161,7 +147,7 @@ SkinStream::Effect SkinStream::takeHello(const skinwire::Hello& hello, Clock::ti
   // UDP devices repeat it every second; a model is parsed only if it is another one.
   const bool same_model = model_ && hello.cell_model == hello_.cell_model;
   // Samples of before say nothing about another rate.
-  if (has_hello_ && hello.rate_hz != hello_.rate_hz) clock_check_.restart();
+  if (has_hello_ && hello.rate_hz != hello_.rate_hz) clock_check_ = {};
   has_hello_ = true;
   hello_ = hello;
   if (!same_model) {

@@ -37,6 +37,25 @@ class ChangeBudget {
   Clock::time_point free_at_ = Clock::time_point::min();
 };
 
+/// What is known of the device from one connection alone.
+struct ConnectionState {
+  Message device_text_;
+  bool has_hello_ = false;
+  std::vector<std::string> joint_names_;    ///< of the device's last message that had them
+  std::shared_ptr<const CellModel> model_;  ///< null: none, or one that makes no sense
+  Message model_complaint_;
+  skinwire::TopologyAssembler assembler_;
+  bool has_topology_ = false;
+  NeighborList neighbors_;
+  std::optional<SkinDescription> held_;  ///< newer, not passed on yet
+  bool is_model_held_ = false;           ///< it has another model, so that samples can't be read by the one known
+  bool is_exploring_ = false;
+  bool was_heard_ = false;     ///< a message came on this connection
+  bool was_rejected_ = false;  ///< one that was rejected came on it, which may have been an answer
+  std::uint64_t times_asked_ = 0;
+  std::optional<std::chrono::steady_clock::time_point> undescribed_since_;
+};
+
 /// The host's end of SkinWire above the framing: puts the description together, checks samples against it, numbers and
 /// times, calls the listener, counts and reports, and names what the device does wrong. It knows no socket, no file and
 /// no clock.
@@ -44,7 +63,7 @@ class ChangeBudget {
 /// A loose plug changes the topology many times a second, and everything behind the listener works, and some of it
 /// writes to disk, for each. So only a few changes are passed on at once, and then the newest one every few seconds
 /// (ChangeBudget). Meanwhile samples are those of the skin that the listener knows.
-class SkinStream {
+class SkinStream : private ConnectionState {
  public:
   using Clock = std::chrono::steady_clock;
   enum class Effect {
@@ -136,22 +155,12 @@ class SkinStream {
   SourceStatus status_;
   Clock::time_point told_at_{};
   bool counters_changed_ = false;
-  Message device_text_;
   Message last_rejection_;
 
-  bool has_hello_ = false;
-  std::vector<std::string> joint_names_;  ///< of the device's last message that had them
   std::uint64_t last_joints_us_ = 0;
   skinwire::Hello hello_;
-  std::shared_ptr<const CellModel> model_;  ///< null: none, or one that makes no sense
-  Message model_complaint_;
-  skinwire::TopologyAssembler assembler_;
-  bool has_topology_ = false;
   std::uint32_t topology_id_ = 0;
-  NeighborList neighbors_;
   std::optional<SkinDescription> announced_;  ///< what the listener knows; samples are checked against it
-  std::optional<SkinDescription> held_;       ///< newer, not passed on yet
-  bool is_model_held_ = false;                ///< it has another model, so that samples can't be read by the one known
   ChangeBudget changes_;
   std::unordered_map<std::uint32_t, std::uint32_t> index_of_;
 
@@ -172,14 +181,9 @@ class SkinStream {
   ReadingCheck reading_check_;
   ClockCheck clock_check_;
   ClockCheck::Pace pace_ = ClockCheck::Pace::Live;
-  bool is_exploring_ = false;
   bool is_topology_judged_ = true;
   bool is_first_piece_forgiven_ = false;
-  bool was_heard_ = false;     ///< a message came on this connection
-  bool was_rejected_ = false;  ///< one that was rejected came on it, which may have been an answer
-  std::uint64_t times_asked_ = 0;
   bool is_baud_noted_ = false;
-  std::optional<Clock::time_point> undescribed_since_;
 };
 
 /// Control characters become spaces: what a device says appears on terminals.
