@@ -1,9 +1,8 @@
 #include "hexoderm/io/export_manifest.h"
 
 #include "hexoderm/base/covariance.h"
-#include "hexoderm/io/export_csv.h"
-#include "hexoderm/io/export_support.h"
-#include "hexoderm/io/export_taxels.h"
+#include "hexoderm/io/export_formats.h"
+#include "hexoderm/io/export_selection.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -21,7 +21,9 @@ Value valueOf(const EnumNames<Value>& names, const std::string& text, const char
   throw InvalidArgument(option, message("\"{}\" is none of its values", text));
 }
 
-const std::vector<ExportOptionDescription>& options() {
+}  // namespace
+
+std::span<const ExportOptionDescription> exportOptions() {
   using enum ExportFormat;
   static const std::vector<ExportFormat> with_links = {Urdf, RobotUrdf, TfRos1, TfRos2, TfYaml};
   static const std::vector<ExportOptionDescription> the_options = {
@@ -91,9 +93,5 @@ const std::vector<ExportOptionDescription>& options() {
   };
   return the_options;
 }
-
-}  // namespace
-
-std::span<const ExportOptionDescription> exportOptions() { return options(); }
 
 }  // namespace hexoderm
