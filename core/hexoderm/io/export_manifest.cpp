@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/io/export_formats.h"
-#include "hexoderm/io/export_selection.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

@@ -13,7 +13,6 @@
 #include <memory>
 #include <set>
 #include <span>
-#include <string>
 #include <utility>
 
 namespace hexoderm {

@@ -3,7 +3,6 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/robots/mesh_input.h"
 #include "hexoderm/robots/mesh_readers.h"
-#include "hexoderm/robots/mesh_scene.h"
 
 #include <pugixml.hpp>
 

@@ -4,7 +4,6 @@
 #include "hexoderm/base/text.h"
 #include "hexoderm/robots/mesh_input.h"
 #include "hexoderm/robots/mesh_readers.h"
-#include "hexoderm/robots/mesh_scene.h"
 
 #include <array>
 #include <limits>

@@ -3,7 +3,7 @@
 // One reader for each format. Each adds the triangles of a file to the builder, and throws
 // FormatError naming the file. Time and memory are bounded by the size of the file.
 
-#include "hexoderm/robots/mesh_builder.h"
+#include "hexoderm/robots/mesh_input.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/checks/link_chain.h"
+#include "hexoderm/solve/result/result_graph.h"
 
 #include <algorithm>
 #include <array>
