@@ -1,9 +1,7 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/interrupt.h"
 #include "hexoderm/base/kept_files.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/capture/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
 

@@ -1,8 +1,9 @@
 #pragma once
 
+#include "app/cli/json.h"
+
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/mounting/attachment/links.h"
@@ -16,13 +17,8 @@
 #include <exception>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 #include <streambuf>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace hexoderm {
 struct LiveCaptureOptions;
@@ -220,11 +216,11 @@ std::optional<int> exitCodeOf(const std::exception& error);
 /// Findings and verdict as text and as JSON, the same in every command.
 void printFindings(const std::vector<Finding>& findings);
 void printVerdict(const Assessment& verdict);
-nlohmann::ordered_json toJson(const Finding& finding);
-nlohmann::ordered_json toJson(const Assessment& verdict);
-nlohmann::ordered_json toJson(const std::vector<Finding>& findings);
-nlohmann::ordered_json toJson(const std::vector<ProtocolViolation>& offences);
-void printJson(const nlohmann::ordered_json& json);
+Json toJson(const Finding& finding);
+Json toJson(const Assessment& verdict);
+Json toJson(const std::vector<Finding>& findings);
+Json toJson(const std::vector<ProtocolViolation>& offences);
+void printJson(const Json& json);
 /// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
 void printJsonText(std::string_view text);
 

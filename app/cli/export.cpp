@@ -1,10 +1,8 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/base/sha256.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/solve/result/patch_placements.h"

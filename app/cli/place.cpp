@@ -2,15 +2,12 @@
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"
-#include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/mounting/attachment/links.h"
 #include "hexoderm/robots/robot_model.h"
 #include "hexoderm/solve/reconstructor.h"
 
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include <algorithm>
 #include <iostream>

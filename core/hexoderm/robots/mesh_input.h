@@ -12,6 +12,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -161,5 +162,28 @@ using ReadMeshPart = std::function<void(std::size_t part, MeshBuilder& mesh)>;
 /// used. A part that is mirrored keeps its outside. Children are indices of `nodes`.
 void addScene(MeshBuilder& mesh, const std::vector<MeshNode>& nodes, const std::vector<std::size_t>& roots,
               const ReadMeshPart& read_part);
+
+/// Whether a file is as long as a binary STL with its count of triangles, whatever its header says ("solid" too).
+bool isBinaryStl(std::string_view bytes);
+/// Whether a text begins as an STL file of text, or as the header of a binary one.
+bool isStlText(std::string_view text);
+/// STL, of text or binary.
+void readStl(std::string_view bytes, MeshBuilder& mesh);
+/// Wavefront OBJ: points and faces.
+void readObj(std::string_view text, MeshBuilder& mesh);
+/// PLY of text or binary: faces and strips of triangles. All other elements and properties are skipped.
+void readPly(std::string_view bytes, MeshBuilder& mesh);
+/// COLLADA: the scene, in metres. `bytes` are written over.
+void readCollada(std::string& bytes, MeshBuilder& mesh);
+/// glTF 2.0: the scene. `file` is where the files of its buffers are looked for.
+void readGltf(std::string_view text, const std::filesystem::path& file, MeshBuilder& mesh);
+/// The same in its binary form.
+void readGlb(std::string_view bytes, const std::filesystem::path& file, MeshBuilder& mesh);
+/// The files of a glTF's buffers, as far as it names any. Throws FormatError for what is no JSON.
+std::vector<std::filesystem::path> gltfBuffers(std::string_view text, const std::filesystem::path& file);
+
+/// The bytes of a mesh file, or of one that it refers to. Throws StorageError for what is no regular file or can't be
+/// read, FormatError for more than `max_bytes`.
+std::string readRegularFile(const std::filesystem::path& file, std::uintmax_t max_bytes);
 
 }  // namespace hexoderm

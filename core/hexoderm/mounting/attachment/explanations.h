@@ -3,7 +3,7 @@
 // What is said of the links of patches, and why patches may fit none.
 
 #include "hexoderm/base/message.h"
-#include "hexoderm/mounting/attachment/link_test.h"
+#include "hexoderm/mounting/attachment/link_fit.h"
 #include "hexoderm/mounting/attachment/links.h"
 
 #include <optional>

@@ -6,7 +6,7 @@
 #include "hexoderm/base/message.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/attachment/explanations.h"
-#include "hexoderm/mounting/attachment/link_test.h"
+#include "hexoderm/mounting/attachment/link_fit.h"
 #include "hexoderm/mounting/attachment/robot_fit.h"
 #include "hexoderm/mounting/parts/compared_poses.h"
 #include "hexoderm/robots/joint_check.h"
