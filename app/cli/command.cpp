@@ -15,7 +15,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <new>
 #include <system_error>
 #include <utility>

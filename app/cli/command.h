@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -88,7 +89,8 @@ void requireApart(const std::string& a, const std::string& b);
 /// numbers that are not finite or are negative, and an empty text for 0. Return the option.
 CLI::Option* takeNumbers(CLI::Option* option, double least, double most);
 CLI::Option* takeNumbersAbove(CLI::Option* option, double bound, double most);
-CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least, std::uint64_t most);
+CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least = 0,
+                              std::uint64_t most = std::numeric_limits<std::uint32_t>::max());
 /// The option has to be a direction, x,y,z.
 CLI::Option* takeDirection(CLI::Option* option);
 /// Seconds to wait: 11 days.

@@ -9,7 +9,6 @@
 #include <chrono>
 #include <cstdint>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -354,8 +353,7 @@ void addListen(CLI::App& app, Common& common) {
       addWithDefault(command, "--for", options.time_s, "Seconds to listen; Ctrl+C ends it before, with its report"), 0,
       kLongestWait_s);
   takeWholeNumbers(
-      command.add_option("--light", options.light, "Light this cell, and say how the device answers (SetLed)"), 1,
-      std::numeric_limits<std::uint32_t>::max());
+      command.add_option("--light", options.light, "Light this cell, and say how the device answers (SetLed)"), 1);
   takeNumbersAbove(
       command.add_option("--rate", options.rate_hz, "Ask for so many samples a second of each cell (SetRate)"), 0,
       kMaxRate_hz);

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <iostream>
-#include <limits>
 #include <map>
 
 namespace hexoderm::cli {
@@ -361,8 +360,7 @@ void addPlace(CLI::App& app, Common& common) {
   takeWholeNumbers(
       command.add_option("--patch", options.patches,
                          "Cell whose patch is placed; several are placed together. Without it the patches of "
-                         "distances and points, or the one with the most cells"),
-      0, std::numeric_limits<std::uint32_t>::max());
+                         "distances and points, or the one with the most cells"));
   command.add_option("--rotation", options.rotations,
                      std::string(kRotationSyntax) +
                          ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "

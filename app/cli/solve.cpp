@@ -15,7 +15,6 @@
 #include <filesystem>
 #include <future>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -408,8 +407,7 @@ void addSolve(CLI::App& app, Common& common) {
     value = choice.get(SolverOptions());
     addWithDefault(command, "--" + std::string(choice.name), value, std::string(choice.help));
   }
-  takeWholeNumbers(command.add_option("--without", options.without, "Leave this cell's readings out; may be repeated"),
-                   0, std::numeric_limits<std::uint32_t>::max());
+  takeWholeNumbers(command.add_option("--without", options.without, "Leave this cell's readings out; may be repeated"));
   takeNumbersAbove(addWithDefault(command, "--class-threshold", options.class_threshold,
                                   "Singular value from which a direction counts as defined; 1 is the paper's"),
                    0, kMaxClassThreshold);

@@ -16,8 +16,6 @@
 namespace hexoderm {
 namespace {
 
-class SkinGraph;
-
 /// What a calibrated skin has and the skin of today has not.
 struct MissingParts {
   std::vector<CellId> cells;                       ///< ascending
