@@ -1,6 +1,7 @@
 #pragma once
 
-// What the links of a robot are expected to see of gravity, and how a patch is turned on a link, if it is on that link.
+// What the links of a robot are expected to see of gravity, how a patch is turned on a link, if it is on that link, and
+// which links a patch may be on (the rule is in the room's README).
 
 #include "hexoderm/mounting/parts/gravity_seen.h"
 #include "hexoderm/mounting/parts/rigid_fit.h"
