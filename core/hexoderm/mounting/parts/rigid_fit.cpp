@@ -177,8 +177,6 @@ class RigidProblem {
 
 constexpr int kAxesAround = 120;
 
-using Eigen::Index;
-
 /// What is seen of turns between the two bodies, with the constant turn between them taken out: r = J w_p in every
 /// pose.
 class TurnsOfBodies {
