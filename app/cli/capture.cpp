@@ -1,16 +1,12 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/interrupt.h"
 #include "hexoderm/base/kept_files.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/capture/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
 
 #include <chrono>
-#include <cstdint>
 #include <iostream>
-#include <limits>
 #include <stop_token>
 #include <thread>
 #include <utility>
@@ -255,8 +251,7 @@ void addCapture(CLI::App& app, Common& common) {
   command.add_option("--source", options.source, sourceKindsText())->required();
   takeWholeNumbers(
       command.add_option("--poses", options.poses,
-                         "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"),
-      0, std::numeric_limits<std::uint32_t>::max());
+                         "End after so many (default: at the stream's end or Ctrl+C; with --auto when they are good)"));
   command.add_flag("--auto", options.automatic, "The device turns itself, to where each pose helps most");
   command.add_flag("--keep-raw", options.keep_raw, "Keep every sample of the poses in the session too");
   addOutput(command, "--record", options.record_to, "Write all that the device sends to this file, for replay:FILE");

@@ -1,10 +1,7 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/interrupt.h"
 #include "hexoderm/base/temporary_file.h"
-#include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/capture/live_capture.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/solve/checks/calibration_check.h"

@@ -1,10 +1,7 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/limits.h"
-#include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/io/session_joint_angles.h"
 #include "hexoderm/io/session_json.h"
 #include "hexoderm/robots/demo_robot.h"
@@ -18,8 +15,6 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <limits>
-#include <map>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -304,17 +299,17 @@ void printVerdict(const Assessment& assessment) {
   if (!assessment.next_action.empty()) std::cout << "Next: " << forTerminal(assessment.next_action.english()) << '\n';
 }
 
-nlohmann::ordered_json toJson(const Finding& finding) {
+Json toJson(const Finding& finding) {
   return {{"code", codeName(finding.code)},    {"severity", severityName(finding.severity)},
           {"text", finding.message.english()}, {"cells", numbersOf(finding.cells)},
           {"ports", numbersOf(finding.ports)}, {"poses", numbersOf(finding.poses)}};
 }
 
-nlohmann::ordered_json toJson(const std::vector<Finding>& findings) {
+Json toJson(const std::vector<Finding>& findings) {
   return arrayOf(findings, [](const Finding& finding) { return toJson(finding); });
 }
 
-nlohmann::ordered_json toJson(const Assessment& verdict) {
+Json toJson(const Assessment& verdict) {
   return {{"level", verdictName(verdict.level)},
           {"reason", verdict.reason.english()},
           {"position_95_mm", orNull(verdict.position_95_m, toMillimetres)},
@@ -326,7 +321,7 @@ nlohmann::ordered_json toJson(const Assessment& verdict) {
           {"next_action", verdict.next_action.english()}};
 }
 
-nlohmann::ordered_json toJson(const std::vector<ProtocolViolation>& offences) {
+Json toJson(const std::vector<ProtocolViolation>& offences) {
   return arrayOf(offences, [](const ProtocolViolation& offence) -> Json {
     return {{"kind", offenceName(offence.kind)},
             {"count", offence.count},
@@ -335,9 +330,7 @@ nlohmann::ordered_json toJson(const std::vector<ProtocolViolation>& offences) {
   });
 }
 
-void printJson(const nlohmann::ordered_json& json) {
-  printJsonText(json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-}
+void printJson(const Json& json) { printJsonText(json.dump(1, ' ', false, Json::error_handler_t::replace)); }
 
 void printJsonText(std::string_view text) {
   // The escapes of forTerminal() are JSON's, too.

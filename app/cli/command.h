@@ -1,8 +1,9 @@
 #pragma once
 
+#include "app/cli/json.h"
+
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/device/protocol_violation.h"
 #include "hexoderm/io/open_file.h"
 #include "hexoderm/mounting/attachment/links.h"
@@ -14,15 +15,11 @@
 
 #include <cstdint>
 #include <exception>
+#include <limits>
 #include <map>
 #include <memory>
-#include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 #include <streambuf>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace hexoderm {
 struct LiveCaptureOptions;
@@ -92,7 +89,8 @@ void requireApart(const std::string& a, const std::string& b);
 /// numbers that are not finite or are negative, and an empty text for 0. Return the option.
 CLI::Option* takeNumbers(CLI::Option* option, double least, double most);
 CLI::Option* takeNumbersAbove(CLI::Option* option, double bound, double most);
-CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least, std::uint64_t most);
+CLI::Option* takeWholeNumbers(CLI::Option* option, std::uint64_t least = 0,
+                              std::uint64_t most = std::numeric_limits<std::uint32_t>::max());
 /// The option has to be a direction, x,y,z.
 CLI::Option* takeDirection(CLI::Option* option);
 /// Seconds to wait: 11 days.
@@ -220,11 +218,11 @@ std::optional<int> exitCodeOf(const std::exception& error);
 /// Findings and verdict as text and as JSON, the same in every command.
 void printFindings(const std::vector<Finding>& findings);
 void printVerdict(const Assessment& verdict);
-nlohmann::ordered_json toJson(const Finding& finding);
-nlohmann::ordered_json toJson(const Assessment& verdict);
-nlohmann::ordered_json toJson(const std::vector<Finding>& findings);
-nlohmann::ordered_json toJson(const std::vector<ProtocolViolation>& offences);
-void printJson(const nlohmann::ordered_json& json);
+Json toJson(const Finding& finding);
+Json toJson(const Assessment& verdict);
+Json toJson(const std::vector<Finding>& findings);
+Json toJson(const std::vector<ProtocolViolation>& offences);
+void printJson(const Json& json);
 /// JSON as text, without what steers a terminal: JSON itself escapes the control characters of ASCII only.
 void printJsonText(std::string_view text);
 

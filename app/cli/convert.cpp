@@ -1,6 +1,5 @@
 #include "app/cli/command.h"
 
-#include "hexoderm/base/text.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/session/session_store.h"
 

@@ -1,9 +1,6 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/limits.h"
-#include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/solve/checks/evaluation.h"
 
 #include <iostream>

@@ -1,10 +1,8 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/base/sha256.h"
-#include "hexoderm/base/text.h"
 #include "hexoderm/io/export_package.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/solve/result/patch_placements.h"
@@ -14,7 +12,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <limits>
 #include <map>
 #include <system_error>
 
@@ -63,22 +60,16 @@ std::string joinedWithoutAPlace(const std::vector<ExportFormat>& formats, const 
          " without any offset. --place LINK:x,y,z,roll,pitch,yaw says where it is.";
 }
 
-/// Of an error about a file, whether it is the robot's.
-bool isOfTheRobot(const Error& error, const ExportOptions& options) {
-  return !options.robot_urdf.empty() && std::string_view(error.what()).starts_with(options.robot_urdf.string() + ": ");
-}
-
 /// Runs `write`, and turns what it throws about the robot's file into BadInput: what is wrong is not what is written.
 template <class Write>
 auto withRobotAsInput(const ExportOptions& options, Write&& write) {
   try {
     return write();
-  } catch (const StorageError& error) {
-    if (!isOfTheRobot(error, options)) throw;
-    throw BadInput("--robot " + std::string(error.what()));
-  } catch (const FormatError& error) {
-    if (!isOfTheRobot(error, options)) throw;
-    throw BadInput("--robot " + std::string(error.what()));
+  } catch (const Error& error) {
+    const std::string_view what = error.what();
+    const bool is_of_robot = !options.robot_urdf.empty() && what.starts_with(options.robot_urdf.string() + ": ");
+    if (!is_of_robot || dynamic_cast<const InvalidArgument*>(&error) != nullptr) throw;
+    throw BadInput("--robot " + std::string(what));
   }
 }
 
@@ -297,8 +288,7 @@ void addExport(CLI::App& app, Common& common) {
   CLI::Option* patch = takeWholeNumbers(
       command.add_option("--patch", options.patch_of_cell,
                          "Cell whose patch is written; without it all patches are where the format keeps their "
-                         "frames apart, else the one with the most cells"),
-      0, std::numeric_limits<std::uint32_t>::max());
+                         "frames apart, else the one with the most cells"));
   command
       .add_flag("--all-patches", options.options.all_patches,
                 "Write every patch to a vtp file too, each in its own frame, their origins at one place")

@@ -1,8 +1,5 @@
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
-#include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/mounting/attachment/links.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/result/reconstruction.h"

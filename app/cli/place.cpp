@@ -2,19 +2,15 @@
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"
-#include "hexoderm/base/text.h"
-#include "hexoderm/base/units.h"
 #include "hexoderm/io/placements_json.h"
 #include "hexoderm/mounting/attachment/links.h"
 #include "hexoderm/robots/robot_model.h"
 #include "hexoderm/solve/reconstructor.h"
 
 #include "app/cli/command.h"
-#include "app/cli/json.h"
 
 #include <algorithm>
 #include <iostream>
-#include <limits>
 #include <map>
 
 namespace hexoderm::cli {
@@ -364,8 +360,7 @@ void addPlace(CLI::App& app, Common& common) {
   takeWholeNumbers(
       command.add_option("--patch", options.patches,
                          "Cell whose patch is placed; several are placed together. Without it the patches of "
-                         "distances and points, or the one with the most cells"),
-      0, std::numeric_limits<std::uint32_t>::max());
+                         "distances and points, or the one with the most cells"));
   command.add_option("--rotation", options.rotations,
                      std::string(kRotationSyntax) +
                          ": how the patch is turned on the link, as rpy of a URDF, in degrees, and 1 sigma about each "

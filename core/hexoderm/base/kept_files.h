@@ -1,14 +1,48 @@
 #pragma once
 
-// Files that nothing is written in the place of.
+// Which file a path or a descriptor is, files that SQLite may have open in this process, and files that nothing is
+// written in the place of.
 
-#include "hexoderm/base/database_files.h"
-
+#include <sys/types.h>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace hexoderm {
+
+/// What a file is, whatever it is called.
+using FileIdentity = std::pair<dev_t, ino_t>;
+/// Of a regular file, links followed; nullopt if there is none.
+std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
+/// Of what is open, a pipe or a folder too.
+std::optional<FileIdentity> identityOf(int descriptor);
+/// Whether `path`, links followed, names what is open.
+[[nodiscard]] bool isAt(const std::filesystem::path& path, int descriptor);
+/// Where the open file is now; nullopt if that is not known, as a rule because it was removed.
+[[nodiscard]] std::optional<std::filesystem::path> placeOf(int descriptor);
+
+inline constexpr std::string_view kSqliteHeader("SQLite format 3\0", 16);
+/// "HEXO", at byte 68 of every session store.
+inline constexpr std::int64_t kStoreApplicationId = 0x4845584F;
+/// What SQLite keeps beside a file.
+inline constexpr std::array<const char*, 3> kBesideDatabases = {"-wal", "-shm", "-journal"};
+
+/// Whether this process has it open for writing. SQLite's locks belong to the process and fall when *any* descriptor of
+/// the file is closed there, so descriptors of such a file are closed only after it.
+bool isOpenDatabase(const std::filesystem::path& path);
+/// That it is open for writing, by this descriptor among others.
+void addOpenDatabase(int descriptor);
+/// Closes a descriptor, or lets it wait for the writer's.
+void closeWhenHarmless(int descriptor, bool is_writer);
+
+/// The first bytes of a file that is not open for writing here; fewer where it ends. Throws StorageError if it can't be
+/// read.
+std::string firstBytes(const std::filesystem::path& path, std::size_t count);
 
 /// Throws if what lies at `path`, links followed, must not be replaced; `name` is what the error calls it.
 /// StorageError: a session (*.hexo), told by its content, what SQLite keeps beside one, under whatever name, and a name

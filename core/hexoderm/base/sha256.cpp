@@ -1,11 +1,13 @@
 #include "hexoderm/base/sha256.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/hex.h"
 
+#include <fmt/ranges.h>
 #include <openssl/evp.h>
 
 namespace hexoderm {
+
+std::string hexDigits(std::span<const std::uint8_t> bytes) { return fmt::format("{:02x}", fmt::join(bytes, "")); }
 
 void Sha256::Free::operator()(evp_md_ctx_st* context) const noexcept { EVP_MD_CTX_free(context); }
 

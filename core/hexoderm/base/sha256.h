@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 
 struct evp_md_ctx_st;  // OpenSSL's EVP_MD_CTX
 
 namespace hexoderm {
+
+/// The bytes as hexadecimal digits, two a byte, the high one first.
+std::string hexDigits(std::span<const std::uint8_t> bytes);
 
 /// SHA-256 (FIPS 180-4) of bytes that come in pieces. Throws Error where OpenSSL does not have it.
 class Sha256 {

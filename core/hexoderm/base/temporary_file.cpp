@@ -1,9 +1,8 @@
 #include "hexoderm/base/temporary_file.h"
 
-#include "hexoderm/base/database_files.h"
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/hex.h"
 #include "hexoderm/base/kept_files.h"
+#include "hexoderm/base/sha256.h"
 #include "hexoderm/base/system_reason.h"
 
 #include <fcntl.h>
@@ -18,7 +17,6 @@
 #include <cstdio>  // renameat2
 #include <random>
 #include <system_error>
-#include <utility>
 
 namespace hexoderm {
 namespace {

@@ -1,7 +1,7 @@
 #include "hexoderm/capture/live_capture.h"
 
-#include "hexoderm/base/database_files.h"
 #include "hexoderm/base/error.h"
+#include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/system_reason.h"
 #include "hexoderm/device/sources/open_source.h"
 #include "hexoderm/device/sources/recording.h"
@@ -13,10 +13,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <deque>
-#include <functional>
 #include <mutex>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace hexoderm {

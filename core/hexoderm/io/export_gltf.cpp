@@ -1,6 +1,6 @@
 #include "hexoderm/io/export_formats.h"
 
-#include "hexoderm/io/export_support.h"
+#include "hexoderm/io/export_selection.h"
 #include "hexoderm/solve/metrics/patch_mesh.h"
 
 #include <bit>

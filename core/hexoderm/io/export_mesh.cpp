@@ -1,8 +1,8 @@
-#include "hexoderm/io/export_mesh.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/io/export_support.h"
+#include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/skin_tree.h"
 #include "hexoderm/solve/metrics/patch_mesh.h"
 #include "hexoderm/solve/result/quality_colors.h"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "hexoderm/io/export_selection.h"
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -22,5 +24,15 @@ struct StagedFile {
 std::vector<std::filesystem::path> publishFolder(const std::filesystem::path& folder,
                                                  const std::vector<StagedFile>& files,
                                                  const std::function<void()>& before_each = {});
+
+/// The files of one format: one, or for CSV several.
+struct FormatFiles {
+  std::vector<StagedFile> files;
+  ExportSelection selection;  ///< of the reconstruction
+};
+
+/// `stem`: the name of a format that is one file, without its extension. Throws as exportReconstruction().
+FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
+                        const std::string& stem);
 
 }  // namespace hexoderm

@@ -1,7 +1,7 @@
-#include "hexoderm/io/export_taxels.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/base/text.h"
-#include "hexoderm/io/export_support.h"
+#include "hexoderm/io/export_selection.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,6 @@
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/io/export_selection.h"
-#include "hexoderm/io/export_support.h"
 #include "hexoderm/io/xml_writing.h"
 
 #include <map>

@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_urdf.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"

@@ -1,7 +1,7 @@
-#include "hexoderm/io/export_vtp.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/base/covariance.h"
-#include "hexoderm/io/export_support.h"
+#include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/xml_writing.h"
 #include "hexoderm/solve/metrics/patch_mesh.h"
 

@@ -1,20 +1,14 @@
 #include "hexoderm/io/exporter.h"
 
+#include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/limits.h"
 #include "hexoderm/base/text.h"
-#include "hexoderm/io/export_csv.h"
-#include "hexoderm/io/export_files.h"
 #include "hexoderm/io/export_formats.h"
-#include "hexoderm/io/export_mesh.h"
 #include "hexoderm/io/export_selection.h"
 #include "hexoderm/io/export_staging.h"
-#include "hexoderm/io/export_support.h"
-#include "hexoderm/io/export_taxels.h"
-#include "hexoderm/io/export_urdf.h"
-#include "hexoderm/io/export_vtp.h"
 
 #include <algorithm>
 #include <array>
@@ -25,66 +19,18 @@
 namespace hexoderm {
 namespace {
 
-/// Built at its first use, for a message is no constant expression.
-const std::vector<ExportFormatDescription>& formats() {
-  static const std::vector<ExportFormatDescription> the_formats = {
-      {ExportFormat::Csv,
-       "csv",
-       "",
-       message("folder of tables: cells, sensors, links, poses, residuals, covariances"),
-       PatchesInFile::All,
-       {}},
-      {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality"), PatchesInFile::All,
-       message("A DOT file is a flat drawing without places and uncertainties.")},
-      {ExportFormat::Ply, "ply", ".ply", message("mesh of the cells in metres, coloured by quality"),
-       PatchesInFile::One, message("A PLY file holds no sensors and no uncertainties.")},
-      {ExportFormat::Stl, "stl", ".stl", message("mesh of the cells for CAD, in millimetres or metres"),
-       PatchesInFile::One, message("An STL file holds no IDs, colours, sensors and uncertainties.")},
-      {ExportFormat::Vtp, "vtp", ".vtp",
-       message("everything about the cells and sensors for ParaView and VTK, lossless"), PatchesInFile::AllIfAsked,
-       message("A VTP file holds no links between cells.")},
-      {ExportFormat::Urdf, "urdf", ".urdf", message("links for every cell and sensor, or one for the patch, for ROS"),
-       PatchesInFile::OnLinks, message("A URDF holds no uncertainties.")},
-      {ExportFormat::RobotUrdf, "robot-urdf", ".robot.urdf",
-       message("the robot's own URDF, unchanged, with the skin on its links"), PatchesInFile::OnLinks,
-       message("A URDF holds no uncertainties.")},
-      {ExportFormat::TfRos1, "tf-ros1", ".launch", message("static transforms of all frames, a ROS 1 launch file"),
-       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
-      {ExportFormat::TfRos2, "tf-ros2", ".launch.py", message("static transforms of all frames, a ROS 2 launch file"),
-       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
-      {ExportFormat::TfYaml, "tf-yaml", ".tf.yaml",
-       message("static transforms of all frames, TransformStamped in YAML"), PatchesInFile::OnLinks,
-       message("Static transforms hold no shapes and no uncertainties.")},
-      {ExportFormat::Tum, "tum", ".tum.xml", message("SkinConfig of the TUM skin's own software"), PatchesInFile::All,
-       message("A SkinConfig holds no sensors, no uncertainties, and not the port of the computer.")},
-      {ExportFormat::Icub, "icub", ".icub.txt", message("taxel positions as iCub reads them, a taxel for each cell"),
-       PatchesInFile::OnALink,
-       message("Taxel positions are centres and normals of the cells, without IDs, turns about the normal and "
-               "uncertainties.")},
-      {ExportFormat::Skinware, "skinware", ".skinware.txt", message("map of the cells for Skinware (CySkin)"),
-       PatchesInFile::OnLinks,
-       message("A Skinware map holds centres and normals of the cells, without turns about the normal and "
-               "uncertainties.")},
-      {ExportFormat::Obj, "obj", ".obj", message("mesh of the cells in metres, an object for each cell"),
-       PatchesInFile::One, message("An OBJ file holds no sensors and no uncertainties.")},
-      {ExportFormat::Gltf, "gltf", ".glb", message("scene with a node for each cell and sensor (glTF 2.0)"),
-       PatchesInFile::One, message("A glTF scene holds no uncertainties.")},
-      {ExportFormat::Sdf, "sdf", ".sdf", message("model for Gazebo, with a frame for each cell and sensor"),
-       PatchesInFile::OnALink,
-       message("An SDF model holds no uncertainties; the skin's mass is not known, and 1 g stands for it.")},
-      {ExportFormat::Mjcf, "mjcf", ".mjcf.xml", message("model for MuJoCo, with a site for each sensor"),
-       PatchesInFile::OnALink, message("An MJCF model holds no uncertainties and no mass of the skin.")},
-  };
-  return the_formats;
-}
+using OptionKind = ExportOptionDescription::Kind;
 
-/// Calls `use` with what is to be in the file.
-template <class Use>
-auto withExported(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options, Use use) {
-  const ExportSelection selection = selectForExport(reconstruction, exportFormatDescription(format), options);
-  const bool all = selection.patches.size() == reconstruction.patches.size();
-  if (all && selection.frame_link.empty()) return use(reconstruction, selection);
-  return use(exportedPart(reconstruction, selection, options), selection);
+enum class LinksFor { Cell, Patch };
+constexpr EnumNames<LengthUnit> kLengthUnits = {{"mm", "m"}};
+constexpr EnumNames<LinksFor> kLinksFor = {{"cell", "patch"}};
+constexpr EnumNames<UrdfForm> kForms = {{"alone", "part", "xacro"}};
+
+/// The value of an option with few of them.
+template <class Value>
+Value valueOf(const EnumNames<Value>& names, const std::string& text, const char* option) {
+  if (const std::optional<Value> value = names.find(text)) return *value;
+  throw InvalidArgument(option, message("\"{}\" is none of its values", text));
 }
 
 void requireName(const char* option, const std::string& name) {
@@ -137,10 +83,6 @@ void requireMesh(const Reconstruction& reconstruction, std::string_view format) 
   }
 }
 
-UrdfContent urdfContent(SkinTree tree, const ExportOptions& options) {
-  return {std::move(tree), options.link_per_cell, options.urdf_form};
-}
-
 /// The bytes of a format that is one file.
 std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection& selection, ExportFormat format,
                     const ExportOptions& options) {
@@ -161,13 +103,9 @@ std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection&
     case ExportFormat::Vtp:
       return vtpBytes(vtpData(reconstruction, selection));
     case ExportFormat::Urdf:
-      return urdfBytes(urdfContent(tree(), options));
-    case ExportFormat::RobotUrdf: {
-      const RobotUrdf robot = readRobotUrdf(options.robot_urdf);
-      UrdfContent content = urdfContent(tree(), options);
-      content.form = UrdfForm::Part;
-      return robotUrdfBytes(robot, content);
-    }
+      return urdfBytes({tree(), options.link_per_cell, options.urdf_form});
+    case ExportFormat::RobotUrdf:
+      return robotUrdfBytes(readRobotUrdf(options.robot_urdf), {tree(), options.link_per_cell, UrdfForm::Part});
     case ExportFormat::TfRos1:
       return rosLaunchText(frames());
     case ExportFormat::TfRos2:
@@ -191,10 +129,81 @@ std::string bytesOf(const Reconstruction& reconstruction, const ExportSelection&
     case ExportFormat::Mjcf:
       return mjcfBytes(tree());
   }
-  throw InvalidArgument(message("csv is a folder of several files and can't be written as one: give a folder"));
+  return {};
 }
 
 }  // namespace
+
+std::span<const ExportOptionDescription> exportOptions() {
+  using enum ExportFormat;
+  static const std::vector<ExportFormat> with_links = {Urdf, RobotUrdf, TfRos1, TfRos2, TfYaml};
+  static const std::vector<ExportOptionDescription> the_options = {
+      {"stl-unit",
+       message("Unit"),
+       message("mm or m; STL itself has no unit"),
+       OptionKind::Choice,
+       {{"mm", message("Millimetres")}, {"m", message("Metres")}},
+       {Stl},
+       [](const ExportOptions& o) { return std::string(kLengthUnits.of(o.stl_unit)); },
+       [](ExportOptions& o, const std::string& value) { o.stl_unit = valueOf(kLengthUnits, value, "stl-unit"); }},
+      {"robot",
+       message("URDF of the robot"),
+       message("URDF of the robot that gets the skin"),
+       OptionKind::File,
+       {},
+       {RobotUrdf},
+       [](const ExportOptions& o) { return o.robot_urdf.string(); },
+       [](ExportOptions& o, const std::string& value) { o.robot_urdf = value; }},
+      {"model-name",
+       message("Name of the model"),
+       message("Name of the model"),
+       OptionKind::Text,
+       {},
+       {Urdf, Sdf, Mjcf},
+       [](const ExportOptions& o) { return o.model_name; },
+       [](ExportOptions& o, const std::string& value) { o.model_name = value; }},
+      {"parent",
+       message("Parent link"),
+       message("Link that a patch is fixed to whose place is not known"),
+       OptionKind::Text,
+       {},
+       {Urdf, RobotUrdf, TfRos1, TfRos2, TfYaml, Tum, Icub, Skinware, Sdf, Mjcf},
+       [](const ExportOptions& o) { return o.parent_link; },
+       [](ExportOptions& o, const std::string& value) { o.parent_link = value; }},
+      {"prefix",
+       message("Prefix of names"),
+       message("Prefix of the names of links, joints and frames"),
+       OptionKind::Text,
+       {},
+       {Urdf, RobotUrdf, TfRos1, TfRos2, TfYaml, Sdf, Mjcf},
+       [](const ExportOptions& o) { return o.prefix; },
+       [](ExportOptions& o, const std::string& value) { o.prefix = value; }},
+      {"links",
+       message("Links"),
+       message("One link or frame per cell and sensor, or one per patch"),
+       OptionKind::Choice,
+       {{"cell", message("One for each cell")}, {"patch", message("One for the patch (lighter in RViz)")}},
+       with_links,
+       [](const ExportOptions& o) {
+         return std::string(kLinksFor.of(o.link_per_cell ? LinksFor::Cell : LinksFor::Patch));
+       },
+       [](ExportOptions& o, const std::string& value) {
+         o.link_per_cell = valueOf(kLinksFor, value, "links") == LinksFor::Cell;
+       }},
+      {"urdf-form",
+       message("Form"),
+       message("alone: loads by itself; part: to be included in a robot that has the parent link; xacro: a macro for "
+               "each patch"),
+       OptionKind::Choice,
+       {{"alone", message("Loads by itself")},
+        {"part", message("Part of a robot, without the parent link")},
+        {"xacro", message("xacro macro for each patch")}},
+       {Urdf},
+       [](const ExportOptions& o) { return std::string(kForms.of(o.urdf_form)); },
+       [](ExportOptions& o, const std::string& value) { o.urdf_form = valueOf(kForms, value, "urdf-form"); }},
+  };
+  return the_options;
+}
 
 void ExportOptions::validate() const {
   requireName("model_name", model_name);
@@ -221,17 +230,69 @@ void ExportOptions::validateFor(ExportFormat format) const {
   }
 }
 
-std::span<const ExportFormatDescription> exportFormats() { return formats(); }
+std::span<const ExportFormatDescription> exportFormats() {
+  // Built at its first use, for a message is no constant expression.
+  static const std::vector<ExportFormatDescription> the_formats = {
+      {ExportFormat::Csv,
+       "csv",
+       "",
+       message("folder of tables: cells, sensors, links, poses, residuals, covariances"),
+       PatchesInFile::All,
+       {}},
+      {ExportFormat::Dot, "dot", ".dot", message("skin graph for Graphviz, with ports and quality"), PatchesInFile::All,
+       message("A DOT file is a flat drawing without places and uncertainties.")},
+      {ExportFormat::Ply, "ply", ".ply", message("mesh of the cells in metres, coloured by quality"),
+       PatchesInFile::One, message("A PLY file holds no sensors and no uncertainties.")},
+      {ExportFormat::Stl, "stl", ".stl", message("mesh of the cells for CAD, in millimetres or metres"),
+       PatchesInFile::One, message("An STL file holds no IDs, colours, sensors and uncertainties.")},
+      {ExportFormat::Vtp, "vtp", ".vtp",
+       message("everything about the cells and sensors for ParaView and VTK, lossless"), PatchesInFile::AllIfAsked,
+       message("A VTP file holds no links between cells.")},
+      {ExportFormat::Urdf, "urdf", ".urdf", message("links for every cell and sensor, or one for the patch, for ROS"),
+       PatchesInFile::OnLinks, message("A URDF holds no uncertainties.")},
+      {ExportFormat::RobotUrdf, "robot-urdf", ".robot.urdf",
+       message("the robot's own URDF, unchanged, with the skin on its links"), PatchesInFile::OnLinks,
+       message("A URDF holds no uncertainties.")},
+      {ExportFormat::TfRos1, "tf-ros1", ".launch", message("static transforms of all frames, a ROS 1 launch file"),
+       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::TfRos2, "tf-ros2", ".launch.py", message("static transforms of all frames, a ROS 2 launch file"),
+       PatchesInFile::OnLinks, message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::TfYaml, "tf-yaml", ".tf.yaml",
+       message("static transforms of all frames, TransformStamped in YAML"), PatchesInFile::OnLinks,
+       message("Static transforms hold no shapes and no uncertainties.")},
+      {ExportFormat::Tum, "tum", ".tum.xml", message("SkinConfig of the TUM skin's own software"), PatchesInFile::All,
+       message("A SkinConfig holds no sensors, no uncertainties, and not the port of the computer.")},
+      {ExportFormat::Icub, "icub", ".icub.txt", message("taxel positions as iCub reads them, a taxel for each cell"),
+       PatchesInFile::OnALink,
+       message("Taxel positions are centres and normals of the cells, without IDs, turns about the normal and "
+               "uncertainties.")},
+      {ExportFormat::Skinware, "skinware", ".skinware.txt", message("map of the cells for Skinware (CySkin)"),
+       PatchesInFile::OnLinks,
+       message("A Skinware map holds centres and normals of the cells, without turns about the normal and "
+               "uncertainties.")},
+      {ExportFormat::Obj, "obj", ".obj", message("mesh of the cells in metres, an object for each cell"),
+       PatchesInFile::One, message("An OBJ file holds no sensors and no uncertainties.")},
+      {ExportFormat::Gltf, "gltf", ".glb", message("scene with a node for each cell and sensor (glTF 2.0)"),
+       PatchesInFile::One, message("A glTF scene holds no uncertainties.")},
+      {ExportFormat::Sdf, "sdf", ".sdf", message("model for Gazebo, with a frame for each cell and sensor"),
+       PatchesInFile::OnALink,
+       message("An SDF model holds no uncertainties; the skin's mass is not known, and 1 g stands for it.")},
+      {ExportFormat::Mjcf, "mjcf", ".mjcf.xml", message("model for MuJoCo, with a site for each sensor"),
+       PatchesInFile::OnALink, message("An MJCF model holds no uncertainties and no mass of the skin.")},
+  };
+  return the_formats;
+}
 
 const ExportFormatDescription& exportFormatDescription(ExportFormat format) {
-  return *std::ranges::find(formats(), format, &ExportFormatDescription::format);
+  return *std::ranges::find(exportFormats(), format, &ExportFormatDescription::format);
 }
 
 ExportFormat exportFormatFromName(std::string_view name) {
-  const auto found = std::ranges::find(formats(), name, &ExportFormatDescription::name);
-  if (found != formats().end()) return found->format;
+  const std::span<const ExportFormatDescription> formats = exportFormats();
+  const auto found = std::ranges::find(formats, name, &ExportFormatDescription::name);
+  if (found != formats.end()) return found->format;
   throw InvalidArgument(message("export format \"{}\" is not known, expected one of {}", name,
-                                inARow(formats(), &ExportFormatDescription::name)));
+                                inARow(formats, &ExportFormatDescription::name)));
 }
 
 std::string inWords(const std::vector<ExportFormat>& formats) {
@@ -301,28 +362,29 @@ std::vector<std::filesystem::path> exportReconstruction(const Reconstruction& re
 FormatFiles formatFiles(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options,
                         const std::string& stem) {
   const ExportFormatDescription& description = exportFormatDescription(format);
-  return withExported(reconstruction, format, options,
-                      [&](const Reconstruction& part, const ExportSelection& selection) {
-                        requireFinite(part);
-                        FormatFiles made{{}, selection};
-                        if (format == ExportFormat::Csv) {
-                          for (const CsvTable& table : csvTables(part))
-                            made.files.push_back({table.file, csvText(table)});
-                          return made;
-                        }
-                        const std::string name = stem + std::string(description.extension);
-                        made.files.push_back({name, bytesOf(part, selection, format, options)});
-                        return made;
-                      });
+  FormatFiles made{{}, selectForExport(reconstruction, description, options)};
+  const ExportSelection& selection = made.selection;
+  std::optional<Reconstruction> selected;
+  if (selection.patches.size() != reconstruction.patches.size() || !selection.frame_link.empty()) {
+    selected = exportedPart(reconstruction, selection, options);
+  }
+  const Reconstruction& part = selected ? *selected : reconstruction;
+  requireFinite(part);
+  if (format == ExportFormat::Csv) {
+    for (const CsvTable& table : csvTables(part)) made.files.push_back({table.file, csvText(table)});
+  } else {
+    const std::string name = stem + std::string(description.extension);
+    made.files.push_back({name, bytesOf(part, selection, format, options)});
+  }
+  return made;
 }
 
 std::string exportBytes(const Reconstruction& reconstruction, ExportFormat format, const ExportOptions& options) {
   options.validateFor(format);
-  return withExported(reconstruction, format, options,
-                      [&](const Reconstruction& part, const ExportSelection& selection) {
-                        requireFinite(part);
-                        return bytesOf(part, selection, format, options);
-                      });
+  if (format == ExportFormat::Csv) {
+    throw InvalidArgument(message("csv is a folder of several files and can't be written as one: give a folder"));
+  }
+  return std::move(formatFiles(reconstruction, format, options, "").files.front().content);
 }
 
 }  // namespace hexoderm

@@ -3,7 +3,6 @@
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/io/export_support.h"
 #include "hexoderm/solve/result/quality_colors.h"
 
 #include <algorithm>

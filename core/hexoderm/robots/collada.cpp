@@ -2,8 +2,6 @@
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/robots/mesh_input.h"
-#include "hexoderm/robots/mesh_readers.h"
-#include "hexoderm/robots/mesh_scene.h"
 
 #include <pugixml.hpp>
 

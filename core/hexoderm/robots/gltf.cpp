@@ -3,8 +3,6 @@
 #include "hexoderm/base/json_reader.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/robots/mesh_input.h"
-#include "hexoderm/robots/mesh_readers.h"
-#include "hexoderm/robots/mesh_scene.h"
 
 #include <array>
 #include <limits>

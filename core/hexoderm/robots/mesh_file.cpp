@@ -6,7 +6,6 @@
 #include "hexoderm/base/system_reason.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/robots/mesh_input.h"
-#include "hexoderm/robots/mesh_readers.h"
 
 #include <algorithm>
 #include <new>

@@ -1,5 +1,4 @@
 #include "hexoderm/robots/mesh_input.h"
-#include "hexoderm/robots/mesh_readers.h"
 
 #include <charconv>
 #include <vector>

@@ -1,6 +1,5 @@
 #include "hexoderm/base/text.h"
 #include "hexoderm/robots/mesh_input.h"
-#include "hexoderm/robots/mesh_readers.h"
 
 #include <array>
 #include <cmath>

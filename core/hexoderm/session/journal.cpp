@@ -2,7 +2,6 @@
 
 #include <openssl/evp.h>
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/hex.h"
 #include "hexoderm/base/sha256.h"
 #include "hexoderm/session/session_parts_json.h"
 #include "hexoderm/skin/cell_model_json.h"

@@ -1,6 +1,5 @@
 #include "hexoderm/session/session_store.h"
 
-#include "hexoderm/base/database_files.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/file.h"
 #include "hexoderm/base/kept_files.h"

@@ -1,6 +1,5 @@
 #include "hexoderm/session/store_file.h"
 
-#include "hexoderm/base/database_files.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/system_reason.h"
@@ -11,7 +10,6 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>

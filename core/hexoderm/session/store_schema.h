@@ -2,7 +2,7 @@
 
 // The tables of a *.hexo, and how older ones become newer ones.
 
-#include "hexoderm/base/database_files.h"
+#include "hexoderm/base/kept_files.h"
 #include "hexoderm/session/sqlite_database.h"
 
 #include <span>

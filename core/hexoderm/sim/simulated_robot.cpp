@@ -1,7 +1,7 @@
 #include "hexoderm/sim/simulated_robot.h"
 
 #include "hexoderm/base/error.h"
-#include "hexoderm/base/mesh_surface.h"
+#include "hexoderm/base/mesh_feet.h"
 #include "hexoderm/sim/hand_motion.h"
 #include "hexoderm/sim/patch_plan.h"
 #include "hexoderm/sim/random_streams.h"

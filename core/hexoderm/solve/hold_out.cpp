@@ -5,7 +5,7 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/solve/reconstructor.h"
 
-#include "hexoderm/solve/checks/cell_errors.h"
+#include "hexoderm/solve/checks/cell_change.h"
 #include "hexoderm/solve/global/accelerometer_fit.h"
 #include "hexoderm/solve/tree/gravity_table.h"
 

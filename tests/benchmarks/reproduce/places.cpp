@@ -1,6 +1,6 @@
 #include "tests/benchmarks/reproduce/trials.h"
 
-#include "hexoderm/base/mesh_surface.h"
+#include "hexoderm/base/mesh_feet.h"
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/place/place.h"

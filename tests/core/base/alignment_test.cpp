@@ -1,4 +1,4 @@
-#include "hexoderm/base/alignment.h"
+#include "hexoderm/base/procrustes.h"
 
 #include "tests/support/testing.h"
 

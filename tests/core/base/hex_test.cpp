@@ -1,4 +1,4 @@
-#include "hexoderm/base/hex.h"
+#include "hexoderm/base/sha256.h"
 
 #include "tests/support/testing.h"
 

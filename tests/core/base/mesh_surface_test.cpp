@@ -1,4 +1,4 @@
-#include "hexoderm/base/mesh_surface.h"
+#include "hexoderm/base/mesh_feet.h"
 
 #include "hexoderm/base/units.h"
 #include "tests/support/testing.h"

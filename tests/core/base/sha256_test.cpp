@@ -1,6 +1,5 @@
 #include "hexoderm/base/sha256.h"
 
-#include "hexoderm/base/hex.h"
 #include "tests/support/testing.h"
 
 namespace hexoderm {

@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_csv.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/base/text.h"
 #include "hexoderm/base/units.h"

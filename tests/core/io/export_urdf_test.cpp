@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_urdf.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/io/exporter.h"

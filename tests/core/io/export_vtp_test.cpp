@@ -1,6 +1,6 @@
 // What a VTK file is to hold; that VTK reads just that is in vtp_reader_test.cpp.
 
-#include "hexoderm/io/export_vtp.h"
+#include "hexoderm/io/export_formats.h"
 
 #include "hexoderm/io/exporter.h"
 #include "tests/support/hand_made_skins.h"

@@ -1,4 +1,4 @@
-#include "hexoderm/io/export_vtp.h"
+#include "hexoderm/io/export_formats.h"
 #include "hexoderm/io/exporter.h"
 #include "tests/support/hand_made_skins.h"
 #include "tests/support/options.h"

@@ -1,6 +1,6 @@
 #include "hexoderm/sim/simulated_robot.h"
 
-#include "hexoderm/base/mesh_surface.h"
+#include "hexoderm/base/mesh_feet.h"
 #include "hexoderm/base/units.h"
 #include "tests/support/paths.h"
 #include "tests/support/testing.h"

@@ -1,6 +1,5 @@
 #include "hexoderm/device/sources/recording.h"
 
-#include "hexoderm/base/database_files.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/kept_files.h"
 #include "hexoderm/base/system_reason.h"

@@ -1,14 +1,24 @@
 #pragma once
 
-// Why patches may fit no link.
+// What is said of the links of patches, and why patches may fit none.
 
 #include "hexoderm/base/message.h"
-#include "hexoderm/mounting/attachment/link_test.h"
+#include "hexoderm/mounting/attachment/link_fit.h"
+#include "hexoderm/mounting/attachment/links.h"
 
 #include <optional>
 #include <vector>
 
 namespace hexoderm {
+
+/// Whether the operator chose a link that doesn't fit.
+bool contradictsChoice(const PatchLinks& patch);
+
+/// PatchLinks::why and ::what_would_tell, from all the rest of it.
+void putIntoWords(PatchLinks& patch, const RobotModel& robot);
+
+/// Of how many patches the link is known; needs one at least.
+Message summaryOf(const std::vector<PatchLinks>& patches);
 
 /// Patches and the robot that they were compared with.
 struct ComparedRobot {

@@ -1,25 +1,143 @@
 #include "hexoderm/mounting/attachment/links.h"
 
+#include "hexoderm/base/covariance.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
+#include "hexoderm/base/message.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/attachment/explanations.h"
-#include "hexoderm/mounting/attachment/link_test.h"
-#include "hexoderm/mounting/attachment/link_words.h"
-#include "hexoderm/mounting/attachment/robot_estimate.h"
+#include "hexoderm/mounting/attachment/link_fit.h"
 #include "hexoderm/mounting/attachment/robot_fit.h"
-#include "hexoderm/mounting/attachment/usable_poses.h"
 #include "hexoderm/mounting/parts/compared_poses.h"
-#include "hexoderm/mounting/parts/hand_share.h"
 #include "hexoderm/robots/joint_check.h"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <set>
+#include <utility>
 
 namespace hexoderm {
 namespace {
+
+/// A zero whose variance the poses make smaller by this factor is called shown.
+constexpr double kShownShare = 0.5;
+/// Sigmas, and sigmas of the prior, at which a zero or a tilt is worth saying.
+constexpr double kNoteworthy = 3;
+
+/// `patches`: those that were fitted, in the order of the fit; `poses`: those that were compared, by place.
+RobotEstimate estimateOf(const RobotFit& fit, std::vector<PatchId> patches, const std::vector<PoseId>& poses,
+                         const RobotModel& robot, const LinksOptions& options) {
+  RobotEstimate estimate;
+  estimate.patches = std::move(patches);
+  const auto zero_at = static_cast<Eigen::Index>(3 * estimate.patches.size());
+  for (std::size_t j = 0; j < fit.joints.size(); ++j) {
+    JointZero& zero = estimate.zeros.emplace_back();
+    const auto at = zero_at + static_cast<Eigen::Index>(j);
+    zero.joint = robot.joints()[fit.joints[j]].name;
+    if (!options.joint_zeros) continue;
+    zero.zero_rad = fit.zeros[j];
+    zero.prior_sigma_rad = fit.zero_sigma_rad;
+    zero.sigma_rad = std::sqrt(std::max(0.0, fit.covariance(at, at)));
+    zero.shown = fit.covariance(at, at) < kShownShare * fit.zero_sigma_rad * fit.zero_sigma_rad;
+  }
+  estimate.up_w = fit.up_w;
+  estimate.up_covariance = fit.covariance.bottomRightCorner<3, 3>();
+  estimate.tilt_rad = angleBetween(fit.up_w, options.up_w.normalized());
+  estimate.tilt_sigma_rad = largestDeviation(estimate.up_covariance);
+  estimate.chi_squared = fit.misfit.chi_squared;
+  estimate.freedom = fit.misfit.freedom;
+  estimate.probability = fit.misfit.probability();
+  for (const RobotFit::PoseTurn& turn : fit.pose_turns) {
+    estimate.residuals.push_back({poses[turn.place], robot.joints()[turn.joint].name, turn.turn_rad, turn.sigma_rad});
+  }
+  for (Eigen::Index row = 0; row < fit.covariance.rows(); ++row) {
+    for (Eigen::Index column = 0; column < fit.covariance.cols(); ++column) {
+      estimate.covariance.push_back(fit.covariance(row, column));
+    }
+  }
+  return estimate;
+}
+
+/// Zeros and a tilt that are worth saying, and a fit that is a bad one; a sentence each.
+std::vector<Message> findingsOf(const RobotEstimate& estimate, const LinksOptions& options) {
+  std::vector<Message> findings;
+  for (const JointZero& zero : estimate.zeros) {
+    const double size = std::abs(zero.zero_rad);
+    if (!zero.shown || size < kNoteworthy * zero.sigma_rad || size < kNoteworthy * options.zero_sigma_rad) continue;
+    findings.push_back(
+        message("The zero of joint {} seems to be off: {} has to be added to the angle that it reports (1 sigma: {}).",
+                zero.joint, Degrees{zero.zero_rad}, Degrees{zero.sigma_rad}));
+  }
+  if (estimate.tilt_rad > kNoteworthy * std::max(estimate.tilt_sigma_rad, options.tilt_sigma_rad)) {
+    findings.push_back(message("The robot's base seems to be tilted by {} (1 sigma: {}).", Degrees{estimate.tilt_rad},
+                               Degrees{estimate.tilt_sigma_rad}));
+  }
+  if (estimate.probability < options.false_alarm) {
+    findings.push_back(
+        message("Taken together, the patches fit the joint angles badly: a chi-squared of {} at {} degrees of freedom.",
+                Number{estimate.chi_squared, 1}, estimate.freedom));
+  }
+  return findings;
+}
+
+/// The poses that can be compared, and what joints and poses have to be left out.
+struct UsablePoses {
+  std::vector<PoseId> poses;             ///< ascending
+  std::set<std::size_t> unknown_joints;  ///< links beyond them can't be compared
+  std::vector<Message> findings;         ///< what is left out, a sentence each
+};
+
+bool turnsLinks(const RobotJoint& joint) { return joint.isFree() && joint.turns(); }
+
+/// Joints that fewer than half of the poses name are not known; poses that lack one of the others are left out.
+UsablePoses usablePoses(const std::vector<PoseId>& seen, const RobotModel& robot,
+                        const std::map<PoseId, JointAngles>& angles) {
+  const std::vector<RobotJoint>& joints = robot.joints();
+  const auto names = [&](PoseId pose, std::size_t joint) {
+    return angles.at(pose).positions.contains(joints[joint].name);
+  };
+  UsablePoses usable;
+  std::vector<PoseId> with_angles;
+  std::vector<PoseId> without;
+  for (const PoseId pose : seen) {
+    const auto found = angles.find(pose);
+    const bool has = found != angles.end() && !found->second.positions.empty();
+    (has ? with_angles : without).push_back(pose);
+  }
+  if (!without.empty() && !with_angles.empty()) {
+    usable.findings.push_back(
+        message("No joint angles are known of these poses, which are not compared: {}.", without));
+  }
+  std::vector<std::string> unknown;
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    if (!turnsLinks(joints[joint])) continue;
+    const auto named = std::ranges::count_if(with_angles, [&](PoseId pose) { return names(pose, joint); });
+    if (2 * static_cast<std::size_t>(named) >= with_angles.size()) continue;
+    usable.unknown_joints.insert(joint);
+    unknown.push_back(joints[joint].name);
+  }
+  if (!with_angles.empty() && !unknown.empty()) {
+    usable.findings.push_back(
+        message("The angles of these joints are not known, and links beyond them are not compared: {}.", unknown));
+  }
+  for (const PoseId pose : with_angles) {
+    std::vector<std::string> missing;
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+      if (turnsLinks(joints[joint]) && !usable.unknown_joints.contains(joint) && !names(pose, joint)) {
+        missing.push_back(joints[joint].name);
+      }
+    }
+    if (missing.empty()) {
+      usable.poses.push_back(pose);
+    } else {
+      usable.findings.push_back(
+          message("Pose {} is not compared, because it lacks the angles of these joints: {}.", pose, missing));
+    }
+  }
+  return usable;
+}
 
 /// Links are tested as if zeros and tilt were so much more uncertain: a large zero must not reject the right link.
 constexpr double kPriorsInTest = 4;

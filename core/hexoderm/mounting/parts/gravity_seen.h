@@ -33,7 +33,7 @@ struct GravitySeen {
 /// each pose once). A body that is turned while it is sampled feels another force at
 /// every point. Between patches whose places on the body are not known that is noise: `lever_m` is how far, 1 sigma an
 /// axis, a patch's middle is from the point at which the body's gravity is meant. `tremor_share`: of the variance that
-/// a hand's tremor brings about, which the solver grants each reading (hand_share.h).
+/// a hand's tremor brings about, which the solver grants each reading (meanHandShare()).
 GravitySeen gravityOf(const PatchReconstruction& patch, std::span<const std::size_t> used, double lever_m,
                       double tremor_share = 1);
 

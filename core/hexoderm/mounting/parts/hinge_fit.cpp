@@ -1,4 +1,3 @@
-#include "hexoderm/mounting/parts/hinge_fit.h"
 
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"

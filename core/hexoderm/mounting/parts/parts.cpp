@@ -3,9 +3,7 @@
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/mounting/parts/compared_poses.h"
-#include "hexoderm/mounting/parts/hand_share.h"
-#include "hexoderm/mounting/parts/hinge_fit.h"
-#include "hexoderm/mounting/parts/movement.h"
+#include "hexoderm/mounting/parts/rigid_fit.h"
 
 #include <algorithm>
 #include <cmath>

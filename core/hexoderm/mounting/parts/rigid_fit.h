@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/mounting/parts/gravity_seen.h"
+#include "hexoderm/mounting/parts/parts.h"
 
 #include <Eigen/Core>
 #include <span>
@@ -40,5 +41,33 @@ struct RigidFit {
 /// Needs at least one body. Degenerate: a body without a pose in common with the others has a rotation that means
 /// nothing, and a covariance that says so; the same about the line where all directions lie on one.
 RigidFit fitRigid(std::span<const GravitySeen> bodies);
+
+/// What gravity says about whether two bodies turn against each other (the rule is in the room's README).
+struct MovementTest {
+  RigidFit fit;  ///< of the poses that both have
+  /// Logarithm of how much more probable what was seen is for one rigid body than for two with a joint between them
+  /// that turned by kTypicalTurn_rad, rms, from pose to pose, about any axis.
+  double log_odds = 0;
+  /// Gravity came along one line in all poses, or in fewer than two: a turn about it doesn't show.
+  bool on_one_line = true;
+  /// Turns from pose to pose, rms, that would have shown at three sigma about any axis; pi at most.
+  double noticeable_rad = 0;
+};
+
+/// Joints of robots that are posed for a calibration turn by tens of degrees.
+inline constexpr double kTypicalTurn_rad = 0.5;
+
+MovementTest testMovement(const GravitySeen& a, const GravitySeen& b);
+
+/// An axis that is known to less than this is not called known.
+inline constexpr double kKnownAxis_rad = 0.17;
+/// The fewest poses in which an axis can be told and be wrong.
+inline constexpr std::size_t kPosesForHinge = 5;
+
+/// The revolute joint between two bodies that turn against each other. First the axis that satisfies u_a . g_a,p = u_b
+/// . g_b,p best, from starts all around, each difference weighed by what is uncertain about it; then all at once by
+/// maximum likelihood: axis, angles and the true directions. Covariances by the inverse information. `least_probable`:
+/// misfits less probable than this contradict the axis.
+Hinge fitHinge(const GravitySeen& a, const GravitySeen& b, double least_probable);
 
 }  // namespace hexoderm

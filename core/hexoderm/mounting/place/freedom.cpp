@@ -1,4 +1,3 @@
-#include "hexoderm/mounting/place/freedom.h"
 
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/place/placement_search.h"

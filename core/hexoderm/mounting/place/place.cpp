@@ -8,7 +8,6 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/parts/farthest_first.h"
 #include "hexoderm/mounting/place/by_hand.h"
-#include "hexoderm/mounting/place/freedom.h"
 #include "hexoderm/mounting/place/placement_fit.h"
 #include "hexoderm/mounting/place/placement_search.h"
 

@@ -1,6 +1,6 @@
 #include "hexoderm/mounting/place/placement_search.h"
 
-#include "hexoderm/base/alignment.h"
+#include "hexoderm/base/procrustes.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/parts/farthest_first.h"
 

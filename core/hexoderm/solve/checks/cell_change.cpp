@@ -1,16 +1,25 @@
 #include "hexoderm/solve/checks/cell_change.h"
 
 #include "hexoderm/base/procrustes.h"
-#include "hexoderm/base/units.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hexoderm {
 namespace {
+
+/// The cross-axis sensitivities among the unknowns of a cell.
+constexpr std::array<int, 6> kCrossAxis = {5, 6, 8, 10, 12, 13};
+
+/// 1 sigma of the specific force in a pose. Nothing beside a reading, and the algebra is sound in poses of one or none.
+constexpr double kAnyForce_g = 10;
+
+Eigen::Index index3(std::size_t k) { return 3 * static_cast<Eigen::Index>(k); }
+Eigen::Index index6(std::size_t k) { return 6 * static_cast<Eigen::Index>(k); }
 
 constexpr double kTurnPrior_rad = 1;
 constexpr double kDriftPrior_g = 1;
@@ -106,6 +115,196 @@ double foundFrom(double limit, double degrees) {
 }
 
 }  // namespace
+
+CellJacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v) {
+  CellJacobian J = CellJacobian::Zero();
+  J.leftCols<3>() = gain * skew(v);
+  for (int axis = 0; axis < 3; ++axis) {
+    J(axis, 3 + 4 * axis) = 1;
+    J.block<1, 3>(axis, 4 + 4 * axis) = v.transpose();
+  }
+  return J;
+}
+
+Eigen::Matrix3d elastomerInformation(const CellModel& model, std::span<const PortNumber> ports) {
+  Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
+  for (const PortNumber port : ports) {
+    const Eigen::Matrix3d axes = linkAxes(model.port(port));
+    const Eigen::Vector3d sigma(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
+    for (int k = 0; k < 3; ++k) {
+      if (sigma[k] > 0) information += axes.col(k) * axes.col(k).transpose() / (sigma[k] * sigma[k]);
+    }
+  }
+  const Eigen::Matrix3d& R_u_a = model.accelerometer.T_u_a.R;
+  return R_u_a.transpose() * information * R_u_a;
+}
+
+CellErrors priorInformation(const AccelerometerPrior& sensor, const Eigen::Matrix3d& attitude) {
+  CellErrors information = CellErrors::Zero();
+  information.topLeftCorner<3, 3>() = attitude;
+  for (int axis = 0; axis < 3; ++axis) information.diagonal().segment<4>(3 + 4 * axis) = sensor.precision(axis);
+  return information;
+}
+
+CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading> readings, const Eigen::Matrix3d& gain,
+                        CellEstimate estimate) {
+  CellErrors normal = CellErrors::Zero();
+  CellErrors scattered = CellErrors::Zero();
+  for (const PlacingReading& reading : readings) {
+    const CellJacobian J = readingJacobian(gain, reading.v_g);
+    const CellErrors share = J.transpose() * J / reading.variance_g2;
+    normal += share;
+    scattered += reading.scatter_g2 / reading.variance_g2 * share;
+  }
+  if (estimate != CellEstimate::Tree) {
+    // The error is -A^-1 L x + A^-1 J^T W n, of true unknowns x with covariance L^-1 and readings' noise n.
+    CellErrors of_noise = (priors + normal).inverse();
+    CellErrors of_truth = of_noise * priors;
+    if (estimate == CellEstimate::GlobalNoCrossAxis) {
+      for (const int k : kCrossAxis) {
+        of_noise.row(k).setZero();
+        of_truth.row(k) = CellErrors::Identity().row(k);
+      }
+    }
+    return of_truth * priors.ldlt().solve(of_truth.transpose()) + of_noise * scattered * of_noise.transpose();
+  }
+  const Eigen::Matrix3d attitude = (normal + priors).topLeftCorner<3, 3>().inverse();
+  const CellErrors sensor = priors.diagonal().cwiseInverse().asDiagonal();
+  CellErrors carried = CellErrors::Identity();
+  carried.topLeftCorner<3, 3>().setZero();
+  carried.topRightCorner<3, 12>() = -attitude * normal.topRightCorner<3, 12>();
+  CellErrors covariance = carried * sensor * carried.transpose();
+  covariance.topLeftCorner<3, 3>() += attitude;
+  return covariance;
+}
+
+PartMotionJacobian motionJacobian(const Eigen::Vector3d& at_o) {
+  PartMotionJacobian X;
+  X << Eigen::Matrix3d::Identity(), -skew(at_o);
+  return X;
+}
+
+Consensus::Consensus(std::span<const CellView> views, std::size_t poses, double limit)
+    : views_(views), limit_(limit), holds_(views.size(), true) {
+  const Eigen::Index unknowns = index6(poses);
+  information_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
+  weighted_ = Eigen::VectorXd::Zero(unknowns);
+  for (std::size_t pose = 0; pose < poses; ++pose) {
+    information_.diagonal().segment<3>(index6(pose)).setConstant(1 / (kAnyForce_g * kAnyForce_g));
+    information_.diagonal()
+        .segment<3>(index6(pose) + 3)
+        .setConstant(1 / (kAngularAccelerationSigma * kAngularAccelerationSigma));
+  }
+  for (const CellView& view : views) count(view, 1);
+  solve();
+  exclude();
+  readmit();
+  findVarianceFactor();
+}
+
+std::size_t Consensus::size() const { return static_cast<std::size_t>(std::ranges::count(holds_, true)); }
+
+void Consensus::count(const CellView& view, double sign) {
+  const PartMotionJacobian X = motionJacobian(view.at_o);
+  const Eigen::LLT<Eigen::MatrixXd> factor(view.covariance_g2);
+  const Eigen::MatrixXd precision =
+      factor.solve(Eigen::MatrixXd::Identity(view.covariance_g2.rows(), view.covariance_g2.cols()));
+  const Eigen::VectorXd pulls = factor.solve(view.force_o_g);
+  for (std::size_t a = 0; a < view.poses.size(); ++a) {
+    weighted_.segment<6>(index6(view.poses[a])) += sign * X.transpose() * pulls.segment<3>(index3(a));
+    for (std::size_t b = 0; b < view.poses.size(); ++b) {
+      information_.block<6, 6>(index6(view.poses[a]), index6(view.poses[b])) +=
+          sign * X.transpose() * precision.block<3, 3>(index3(a), index3(b)) * X;
+    }
+  }
+}
+
+void Consensus::solve() {
+  const Eigen::LLT<Eigen::MatrixXd> factor(information_);
+  covariance_ = factor.solve(Eigen::MatrixXd::Identity(information_.rows(), information_.cols()));
+  motion_ = factor.solve(weighted_);
+}
+
+ViewComparison Consensus::compare(std::size_t view_index) const {
+  const CellView& view = views_[view_index];
+  const PartMotionJacobian X = motionJacobian(view.at_o);
+  ViewComparison comparison;
+  comparison.foretold_o_g.resize(view.force_o_g.size());
+  Eigen::MatrixXd carried(view.force_o_g.size(),
+                          view.force_o_g.size());  // the motions' covariance, as the cell sees it
+  for (std::size_t a = 0; a < view.poses.size(); ++a) {
+    comparison.foretold_o_g.segment<3>(index3(a)) = X * motion_.segment<6>(index6(view.poses[a]));
+    for (std::size_t b = 0; b < view.poses.size(); ++b) {
+      carried.block<3, 3>(index3(a), index3(b)) =
+          X * covariance_.block<6, 6>(index6(view.poses[a]), index6(view.poses[b])) * X.transpose();
+    }
+  }
+  comparison.residual_g = view.force_o_g - comparison.foretold_o_g;
+  comparison.covariance_g2 = view.covariance_g2 + carried;
+  if (holds_[view_index]) {
+    // Without the cell's own part in the motions: Z W^-1 r, with covariance Z W^-1 Z, where Z is the cell's covariance,
+    // r the residual against the motions of all, and W = Z - carried the covariance of r.
+    const Eigen::MatrixXd own = view.covariance_g2 - carried;
+    const Eigen::LDLT<Eigen::MatrixXd> factor(own);
+    comparison.residual_g = view.covariance_g2 * factor.solve(comparison.residual_g);
+    comparison.foretold_o_g = view.force_o_g - comparison.residual_g;
+    const Eigen::MatrixXd spread = view.covariance_g2 * factor.solve(view.covariance_g2);
+    comparison.covariance_g2 = (spread + spread.transpose()) / 2;
+  }
+  comparison.covariance_g2 *= variance_factor_;
+  const double chi_squared = comparison.residual_g.dot(comparison.covariance_g2.llt().solve(comparison.residual_g));
+  comparison.misfit = {chi_squared, static_cast<double>(comparison.residual_g.size())};
+  return comparison;
+}
+
+void Consensus::exclude() {
+  constexpr double kAsBad = 0.7;  // share of the worst deviate: far from it, others are bad because of the worst
+  while (size() > 1) {
+    std::vector<double> deviates(views_.size(), 0);
+    for (std::size_t k = 0; k < views_.size(); ++k) {
+      if (holds_[k]) deviates[k] = compare(k).misfit.deviate();
+    }
+    const auto worst = std::ranges::max_element(deviates);
+    if (*worst <= limit_) return;
+    const double bad = std::max(limit_, kAsBad * *worst);
+    // Where many are as bad, they may be so because of each other.
+    const auto bad_ones =
+        static_cast<std::size_t>(std::ranges::count_if(deviates, [bad](double d) { return d > bad; }));
+    const bool are_few = 4 * bad_ones <= size();
+    for (std::size_t k = 0; k < views_.size(); ++k) {
+      const bool is_worst = static_cast<std::ptrdiff_t>(k) == worst - deviates.begin();
+      if (!is_worst && !(are_few && deviates[k] > bad)) continue;
+      holds_[k] = false;
+      count(views_[k], -1);
+    }
+    solve();
+  }
+}
+
+void Consensus::readmit() {
+  std::vector<std::size_t> back;
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    if (!holds_[k] && compare(k).misfit.deviate() <= limit_) back.push_back(k);
+  }
+  for (const std::size_t k : back) {
+    holds_[k] = true;
+    count(views_[k], 1);
+  }
+  solve();
+}
+
+void Consensus::findVarianceFactor() {
+  constexpr std::size_t kFewestCells = 5;  // fewer say little about all
+  if (size() < kFewestCells) return;
+  Misfit all;
+  for (std::size_t k = 0; k < views_.size(); ++k) {
+    if (!holds_[k]) continue;
+    const Misfit misfit = compare(k).misfit;
+    all.chi_squared += misfit.chi_squared;
+    all.degrees += misfit.degrees;
+  }
+  if (all.degrees > 0) variance_factor_ = std::max(1.0, all.chi_squared / all.degrees);
+}
 
 TurnFit fitTurn(const ViewComparison& comparison) {
   const Eigen::VectorXd seen = comparison.foretold_o_g + comparison.residual_g;

@@ -1,12 +1,12 @@
 #include "hexoderm/solve/checks/evaluation.h"
 
-#include "hexoderm/base/alignment.h"
 #include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/error.h"
 #include "hexoderm/base/limits.h"
+#include "hexoderm/base/procrustes.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/checks/link_chain.h"
+#include "hexoderm/solve/result/result_graph.h"
 
 #include <algorithm>
 #include <array>

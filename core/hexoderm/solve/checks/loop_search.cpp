@@ -1,7 +1,7 @@
 #include "hexoderm/solve/checks/loop_search.h"
 
 #include "hexoderm/base/units.h"
-#include "hexoderm/solve/checks/link_chain.h"
+#include "hexoderm/solve/result/result_graph.h"
 #include "hexoderm/solve/tree/gap_share.h"
 
 #include <boost/graph/incremental_components.hpp>

@@ -2,7 +2,6 @@
 
 #include "hexoderm/skin/shortest_paths.h"
 #include "hexoderm/solve/global/global_refinement.h"
-#include "hexoderm/solve/result/completion.h"
 #include "hexoderm/solve/tree/skin_links.h"
 #include "hexoderm/solve/tree/tree_placement.h"
 
@@ -12,6 +11,10 @@
 #include <vector>
 
 namespace hexoderm {
+
+/// How a step that may take seconds ended: it did its work, or it left because stop was requested, and then what it was
+/// to leave behind is not complete.
+enum class Completion { Finished, Stopped };
 
 /// Solves one patch of a skin: first its cells along the shortest-path tree, then, with solve(), all of them jointly.
 /// Valid until links are muted, which may change the patches. Cells and links are indices of the graph.

@@ -1,6 +1,6 @@
 #include "hexoderm/solve/metrics/overlays.h"
 
-#include "hexoderm/base/alignment.h"
+#include "hexoderm/base/procrustes.h"
 #include "hexoderm/solve/metrics/value_scale.h"
 
 #include <Eigen/Eigenvalues>

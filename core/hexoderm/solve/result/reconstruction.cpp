@@ -1,15 +1,29 @@
 #include "hexoderm/solve/result/reconstruction.h"
 
+#include "hexoderm/base/covariance.h"
 #include "hexoderm/base/enum_names.h"
+#include "hexoderm/base/units.h"
 
 #include <algorithm>
 
 namespace hexoderm {
 namespace {
 
+constexpr EnumNames<VerdictLevel> kVerdicts = {{"good", "usable", "not_enough", "failed"}};
+constexpr EnumNames<Limit> kLimits = {
+    {"nothing", "no_skin", "no_pose", "directions", "readings", "mould", "patches", "findings"}};
+constexpr EnumNames<Remedy> kRemedies = {{"nothing", "check_skin", "take_pose", "retake_poses"}};
+
 constexpr EnumNames<EdgeQuality> kQualities = {{"un", "partially", "fully", "over"}};
 
 }  // namespace
+
+std::string_view verdictName(VerdictLevel level) { return kVerdicts.of(level); }
+std::optional<VerdictLevel> verdictFromName(std::string_view name) { return kVerdicts.find(name); }
+std::string_view limitName(Limit limit) { return kLimits.of(limit); }
+std::optional<Limit> limitFromName(std::string_view name) { return kLimits.find(name); }
+std::string_view remedyName(Remedy remedy) { return kRemedies.of(remedy); }
+std::optional<Remedy> remedyFromName(std::string_view name) { return kRemedies.find(name); }
 
 std::optional<double> LinkEstimate::knownResidual() const {
   // A file may state the rms alone.
@@ -88,6 +102,21 @@ Message sizeText(const Reconstruction& reconstruction) {
                 links == 1 ? message("1 link") : message("{} links", links),
                 patches == 1 ? message("1 patch") : message("{} patches", patches)},
                ", ");
+}
+
+double rotationSigma(const Eigen::Matrix3d& covariance) { return std::min(kPi, largestDeviation(covariance)); }
+
+Uncertainty95 uncertaintyBy(const Matrix6d& cov_t_r) {
+  return {kSigmasFor95Percent * largestDeviation(cov_t_r.topLeftCorner<3, 3>()),
+          std::min(kPi, kSigmasFor95Percent * largestDeviation(cov_t_r.bottomRightCorner<3, 3>()))};
+}
+
+std::optional<Uncertainty95> uncertaintyOf(const CellPlacement& cell) {
+  return cell.cov_t_r ? std::optional(uncertaintyBy(*cell.cov_t_r)) : std::nullopt;
+}
+
+std::optional<Uncertainty95> shapeUncertaintyOf(const CellPlacement& cell) {
+  return cell.shape_cov_t_r ? std::optional(uncertaintyBy(*cell.shape_cov_t_r)) : std::nullopt;
 }
 
 }  // namespace hexoderm

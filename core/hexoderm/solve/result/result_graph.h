@@ -3,11 +3,11 @@
 // Private: the cells and links of a result as a graph of the Boost Graph Library. A result may be imported, and has no
 // SkinGraph.
 
+#include "hexoderm/skin/breadth_first.h"
 #include "hexoderm/skin/cell_table.h"
 #include "hexoderm/solve/result/reconstruction.h"
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
-
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -48,5 +48,24 @@ class ResultGraph {
   Graph graph_;
   CellTable table_;
 };
+
+/// Chains of the fewest used links between two cells of a patch. A large skin has thousands of loops: what a search
+/// costs depends on how far it gets.
+class ChainSearch {
+ public:
+  explicit ChainSearch(const ResultGraph& graph)
+      : graph_(graph.graph()), search_(graph_), came_by_(num_vertices(graph_)) {}
+
+  /// Edges that lead from one cell to the other, none of them the link `but`; empty if there is no chain.
+  std::vector<ResultEdge> between(ResultGraph::Vertex from, ResultGraph::Vertex to, const LinkEstimate* but = nullptr);
+
+ private:
+  const ResultGraph::Graph& graph_;
+  BreadthFirst<ResultGraph::Graph> search_;
+  std::vector<ResultGraph::Edge> came_by_;  ///< of the cells that the last search reached
+};
+
+/// Sum of the lengths of the two port vectors of a link.
+double lengthAcross(const CellModel& model, const LinkEstimate& link);
 
 }  // namespace hexoderm

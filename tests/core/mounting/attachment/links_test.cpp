@@ -1,7 +1,7 @@
 #include "hexoderm/mounting/attachment/links.h"
 
 #include "hexoderm/base/median.h"
-#include "hexoderm/mounting/attachment/link_gravity.h"
+#include "hexoderm/mounting/attachment/link_fit.h"
 #include "hexoderm/robots/demo_robot.h"
 #include "hexoderm/sim/simulated_robot.h"
 #include "hexoderm/sim/simulated_session.h"

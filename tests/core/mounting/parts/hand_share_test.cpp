@@ -1,4 +1,4 @@
-#include "hexoderm/mounting/parts/hand_share.h"
+#include "hexoderm/mounting/parts/compared_poses.h"
 
 #include "tests/support/testing.h"
 

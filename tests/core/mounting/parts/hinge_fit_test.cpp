@@ -1,4 +1,4 @@
-#include "hexoderm/mounting/parts/hinge_fit.h"
+#include "hexoderm/mounting/parts/rigid_fit.h"
 
 #include "tests/core/mounting/parts/gravity_draw.h"
 

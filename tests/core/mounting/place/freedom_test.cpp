@@ -1,4 +1,4 @@
-#include "hexoderm/mounting/place/freedom.h"
+#include "hexoderm/mounting/place/placement_search.h"
 
 #include "tests/core/mounting/place/laid_patches.h"
 

@@ -2,7 +2,7 @@
 
 // Simulated patches that lie on a mesh, with errors that are drawn from a stated covariance.
 
-#include "hexoderm/base/mesh_surface.h"
+#include "hexoderm/base/mesh_feet.h"
 #include "hexoderm/base/units.h"
 #include "hexoderm/mounting/place/place.h"
 #include "hexoderm/robots/robot_model.h"

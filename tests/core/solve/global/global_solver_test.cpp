@@ -1,7 +1,7 @@
 #include "hexoderm/solve/global/global_solver.h"
 
-#include "hexoderm/base/alignment.h"
 #include "hexoderm/base/error.h"
+#include "hexoderm/base/procrustes.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/core/solve/global/joint_case.h"
 #include "tests/support/matchers.h"
