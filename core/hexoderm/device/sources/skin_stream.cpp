@@ -26,14 +26,14 @@ bool sameDescription(const SkinDescription& a, const SkinDescription& b) {
          a.neighbors == b.neighbors && sameModel(a, b);
 }
 
-MessageArgument printable(MessageArgument argument) {
+MessageArgument printableArgument(MessageArgument argument) {
   if (auto* text = std::get_if<std::string>(&argument.value)) *text = hexoderm::printable(std::move(*text));
   if (auto* items = std::get_if<MessageArgument::List>(&argument.value)) {
-    for (MessageArgument& item : *items) item = printable(std::move(item));
+    for (MessageArgument& item : *items) item = printableArgument(std::move(item));
   }
   if (const auto* words = std::get_if<Message>(&argument.value)) {
     MessageArgument::List parts = words->arguments();
-    for (MessageArgument& part : parts) part = printable(std::move(part));
+    for (MessageArgument& part : parts) part = printableArgument(std::move(part));
     argument.value = Message(words->englishTemplate(), std::move(parts));
   }
   return argument;
@@ -47,7 +47,9 @@ std::string printable(std::string text) {
   return text;
 }
 
-Message printable(const Message& message) { return std::get<Message>(printable(MessageArgument(message)).value); }
+Message printable(const Message& message) {
+  return std::get<Message>(printableArgument(MessageArgument(message)).value);
+}
 
 void SkinStream::restart() {
   static_cast<ConnectionState&>(*this) = {};
