@@ -125,6 +125,13 @@ TEST_F(WindowLiveTest, LossesAndSilenceOfADeviceAreSaid) {
     return labelText("liveState") == "Streaming" && labelText("lossesStatus") == "6 samples lost";
   })) << labelText("lossesStatus").toStdString();
   EXPECT_TRUE(find<QLabel>("lossesStatus")->isVisible());
+  // A button that can't be used says why.
+  const auto* turn = find<QPushButton>("captureTurnForMe");
+  EXPECT_TRUE(waitUntil([&] {
+    device_.hold(0.1, Eigen::Vector3d::UnitZ());
+    return turn->toolTip().startsWith("This device can't turn itself");
+  })) << turn->toolTip().toStdString();
+  EXPECT_FALSE(turn->isEnabled());
   device_.fallSilent();
   ASSERT_TRUE(waitUntil([this] { return labelText("liveState") == "Silent"; }));
   // A busy computer may show it late; when it is said is the source's, and that leaves a fifth of the second.
@@ -193,6 +200,18 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   EXPECT_EQ(controller().session()->poses()[1].capture->id, PoseId(2));
   ASSERT_TRUE(waitUntilKept());
   EXPECT_EQ(read(path).poses().size(), 2U);
+}
+
+TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
+  const QString path = pathTo("later/arm.hexo");
+  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
+  ASSERT_TRUE(waitForMessage("arm.hexo"));
+  EXPECT_EQ(labelText("savedStatus"), "not on disk");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
+  click(find<QPushButton>("messageButton"));
+  ASSERT_TRUE(waitForMessage("Saved to " + path));
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
+  EXPECT_EQ(read(path).poses().size(), 1U);
 }
 
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
