@@ -97,24 +97,37 @@ TEST_P(PaletteOfTheme, TextOnAnyColourHasTheLargerContrast) {
 
 TEST_P(PaletteOfTheme, StrokesDifferInStyleAndWordNotOnlyInHue) {
   std::set<std::pair<int, bool>> styles;
+  std::set<QByteArray> pictures;  // all in one colour
   std::set<QString> words;
   for (const EdgeQuality quality :
        {EdgeQuality::Undefined, EdgeQuality::Partially, EdgeQuality::Fully, EdgeQuality::Over}) {
-    const LinkStroke stroke = linkStroke(quality, GetParam());
+    LinkStroke stroke = linkStroke(quality, GetParam());
     styles.insert({static_cast<int>(stroke.style), stroke.doubled});
+    stroke.color = colors_.text;
+    QImage image(52, 12, QImage::Format_RGB32);
+    image.fill(colors_.panel);
+    QPainter painter(&image);
+    drawStroke(painter, stroke, QLineF(0, 6, 52, 6), 4);
+    painter.end();
+    pictures.emplace(reinterpret_cast<const char*>(image.constBits()), static_cast<int>(image.sizeInBytes()));
     words.insert(qualityWord(quality));
   }
   EXPECT_EQ(styles.size(), 4u);
+  EXPECT_EQ(pictures.size(), 4u);
   EXPECT_EQ(words.size(), 4u);
 }
 
-TEST_P(PaletteOfTheme, StyleSheetIsFilledInAndUsesItsThemeOnly) {
+TEST_P(PaletteOfTheme, StyleSheetAndQtPaletteAreFilledInAndUseTheirThemeOnly) {
   const QString sheet = styleSheet(GetParam());
   EXPECT_FALSE(sheet.contains('@')) << sheet.mid(sheet.indexOf('@'), 40).toStdString();
   EXPECT_EQ(sheet.count('{'), sheet.count('}'));
   EXPECT_TRUE(sheet.contains(colors_.accent.name()));
   const Colors& other = Colors::of(GetParam() == Theme::Dark ? Theme::Light : Theme::Dark);
   EXPECT_FALSE(sheet.contains(other.panel_active.name()));
+  const QPalette palette = qtPalette(GetParam());
+  EXPECT_EQ(palette.color(QPalette::Text), colors_.text);
+  EXPECT_EQ(palette.color(QPalette::PlaceholderText), colors_.text_muted);
+  EXPECT_NE(palette.color(QPalette::Disabled, QPalette::Text), colors_.text);
 }
 
 TEST_P(PaletteOfTheme, SystemThemeFollowsTheApplicationsPaletteWhereNoPortalAnswers) {
