@@ -206,6 +206,8 @@ TEST_F(VerifyPanelTest, LongWorkShowsItselfAndCanBeCancelled) {
   EXPECT_FALSE(find<QTableView>("oldCalibrationTable")->isVisible());
   EXPECT_THAT(cancelled, testing::ElementsAre(VerifyCheck::HoldOut, VerifyCheck::OldCalibration));
   EXPECT_TRUE(find<QPushButton>("holdOutRun")->isEnabled());
+  EXPECT_LE(panel_->minimumSizeHint().width(), std::max(280, 40 * panel_->fontMetrics().averageCharWidth()))
+      << "it fits beside the 3D view of a small window";
 }
 
 TEST_F(VerifyPanelTest, WhatFailsTakesItsEarlierResultOutOfTheOtherViews) {
@@ -284,6 +286,11 @@ TEST_F(VerifyPanelTest, AsksForTheSurfaceThatIsChosenWithItsRadius) {
   EXPECT_EQ(asked[2].first, SurfaceKind::Plane);
   EXPECT_FALSE(asked[2].second.has_value()) << "a plane has no radius";
   EXPECT_FALSE(asked[3].first.has_value());
+  kind->setCurrentText("Cylinder");
+  radius->setValue(0);
+  ASSERT_EQ(asked.size(), 6U);
+  EXPECT_TRUE(asked[4].second.has_value());
+  EXPECT_FALSE(asked[5].second.has_value()) << "it is not known after all";
 }
 
 TEST_F(VerifyPanelTest, ASurfaceThatTheCellsContradictIsNotTickedAlthoughTheyLieOnIt) {
