@@ -125,10 +125,18 @@ TEST_F(WindowLayoutTest, AfterTheChecksTheTabInFrontIsInFrontAgain) {
   }
 }
 
-TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlace) {
+TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlaceWhereTablesHaveRoom) {
+  window_->resize(1440, 900);
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   action("actionResetLayout")->trigger();
   const auto first = places();
+  for (const auto& [tab, name] :
+       {std::pair("Links", "linkView"), std::pair("Cells", "cellView"), std::pair("Findings", "poseView")}) {
+    showTab(tab);
+    test::letTurnsPass();
+    const auto* table = find<QTableView>(name);
+    EXPECT_GE(table->viewport()->height() / table->verticalHeader()->defaultSectionSize(), 8) << name;
+  }
   auto* panels = find<QMainWindow>("panels");
   find<QDockWidget>("graphDock")->close();
   find<QDockWidget>("poseDock")->setFloating(true);
@@ -140,6 +148,12 @@ TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlace) {
   EXPECT_FALSE(find<QDockWidget>("poseDock")->isFloating());
   EXPECT_EQ(panels->dockWidgetArea(find<QDockWidget>("detailsDock")), Qt::BottomDockWidgetArea);
   EXPECT_FALSE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<PatchView*>()));
+
+  // Where there is little room, the findings have it all.
+  const auto* card = find<QWidget>("findingsCard");
+  EXPECT_TRUE(waitUntil([&] { return card->isVisible(); }));
+  window_->resize(1024, 768);
+  EXPECT_TRUE(waitUntil([&] { return !card->isVisible(); }));
 }
 
 /// Language and size of the text; sizes that everything must fit into.
@@ -162,20 +176,23 @@ class WindowFits : public WindowLayoutTest, public testing::WithParamInterface<s
 
 TEST_P(WindowFits, SmallSizesWithoutScrollingSidewaysOrTextsThatAreCutOff) {
   const double factor = std::get<1>(GetParam());
-  // The lower ones are those of screens less a title bar. At the largest text the window may be larger.
+  // The lower ones are those of screens less a title bar. At the largest text and on the smallest screen the window may
+  // be larger.
   const bool is_largest = factor > 1.5;
+  const QSize smallest(1024, 600);
   const bool is_english = std::string_view(std::get<0>(GetParam())) == "en";  // the tour looks for German texts
-  const std::vector<QSize> sizes = factor > 1 ? std::vector{QSize(1440, 863), QSize(1280, 800)}
-                                              : std::vector{QSize(1366, 731), QSize(1280, 800), QSize(1024, 731)};
+  const std::vector<QSize> sizes = factor > 1
+                                       ? std::vector{QSize(1440, 863), QSize(1280, 800)}
+                                       : std::vector{QSize(1366, 731), QSize(1280, 800), QSize(1024, 731), smallest};
   const auto expectFits = [&](const std::string& when, const std::vector<const char*>& parts = {}) {
     for (const QSize& size : sizes) {
-      SCOPED_TRACE(when + " at " + std::to_string(size.width()));
+      SCOPED_TRACE(when + " at " + std::to_string(size.width()) + "x" + std::to_string(size.height()));
       window_->resize(size);
       test::letTurnsPass();
       for (const char* part : is_english ? parts : std::vector<const char*>()) {
         EXPECT_EQ(findCutTexts(*find<QWidget>(part)), QStringList()) << part;
       }
-      if (is_largest) continue;
+      if (is_largest || size == smallest) continue;
       EXPECT_EQ(window_->size(), size);
       EXPECT_EQ(findSidewaysScrolling(*window_), QStringList());
     }
