@@ -141,5 +141,15 @@ TEST_F(CoverageViewTest, NamesNoOtherCellWhereTheNextPoseGivesWhatIsMissing) {
   EXPECT_TRUE(view.accessibleDescription().contains("facing the ceiling or the floor"));
 }
 
+TEST_F(CoverageViewTest, FitsIntoSmallPlacesAndLooksDifferentInTheDark) {
+  view.resize(180, 230);
+  view.setCoverage(coverageWith({{0, 0, 1}, {0, 0.1, -1}}));
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(Eigen::Vector3d::UnitZ())));
+  EXPECT_TRUE(QRectF(view.rect()).contains(view.placeOf(-Eigen::Vector3d::UnitZ())));
+  const QImage light = view.grab().toImage();
+  view.setPalette(qtPalette(Theme::Dark));
+  EXPECT_NE(view.grab().toImage(), light);
+}
+
 }  // namespace
 }  // namespace hexoderm

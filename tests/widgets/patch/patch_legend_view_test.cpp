@@ -46,6 +46,12 @@ TEST_F(PatchLegendViewTest, SaysRangeUnitGoalAndWhatLiesBeyond) {
   EXPECT_EQ(button()->text(), "fitted range ▾");
   EXPECT_TRUE(view.rect().contains(legend().geometry()));
   EXPECT_TRUE(legend().rect().contains(button()->geometry()));
+  // In a narrow view the title has lines of its own.
+  const int wide = legend().height();
+  view.resize(400, 400);
+  ASSERT_TRUE(test::waitUntil([&] { return legend().height() > wide; }));
+  EXPECT_TRUE(view.rect().contains(legend().geometry()));
+  EXPECT_TRUE(legend().rect().contains(button()->geometry()));
 }
 
 TEST_F(PatchLegendViewTest, WhereNothingIsKnownThereIsNoRange) {
