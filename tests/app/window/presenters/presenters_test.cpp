@@ -216,7 +216,7 @@ TEST_F(ViewCommandsTest, GSwapsTheViewsAndTheNextStartRemembers) {
   EXPECT_TRUE(find<CardDock>("graphDock")->isAncestorOf(window_->findChild<GraphView*>()));
 }
 
-TEST_F(ViewCommandsTest, StepsAboveGiveWayToOneThatDoesNotFitBelowThem) {
+TEST_F(ViewCommandsTest, StepsAboveGiveWayToOneThatDoesNotFitBelowThemUntilSomebodyScrolls) {
   window_->resize(1280, 800);
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(1));
   auto* panel = find<StepPanel>("stepPanel");
@@ -237,6 +237,13 @@ TEST_F(ViewCommandsTest, StepsAboveGiveWayToOneThatDoesNotFitBelowThem) {
   panel->openStep(2);
   EXPECT_TRUE(waitUntil([&] { return is_seen(find<QAbstractButton>("stepHead3")) && is_seen(skip); }));
   EXPECT_FALSE(is_seen(find<QAbstractButton>("stepHead1")));
+
+  panel->verticalScrollBar()->setValue(0);
+  const int height = panel->height();
+  window_->resize(1280, window_->height() + 30);
+  ASSERT_TRUE(waitUntil([&] { return panel->height() > height; }));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(panel->verticalScrollBar()->value(), 0);
   panel->openStep(0);
   EXPECT_TRUE(waitUntil([&] { return is_seen(find<QAbstractButton>("stepHead1")); }));
 }
