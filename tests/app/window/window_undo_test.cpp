@@ -119,6 +119,10 @@ TEST_F(WindowUndoTest, ALinkThatIsSetAsideAndOneThatIsTakenBackWithTheReasonThat
   expectUndoAndRedo(mute, "aside");
   window_->selection().selectLink(aside_.first, aside_.second);
   expectUndoAndRedo(mute, "back");
+  EXPECT_TRUE(waitUntil([this] {
+    const LinkEstimate* back = controller().reconstruction()->findLink(aside_.first, aside_.second);
+    return back != nullptr && back->used;
+  }));
 }
 
 TEST_F(WindowUndoTest, APoseThatIsTakenAndOneThatIsTakenAgainInOneStep) {
