@@ -51,7 +51,7 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
   const SensorSigmas& sigmas = statistics.sigmas;
   printSigma("offset", sigmas.offset_g, model.ofUnknownLot().offset_sigma_g, kMilliG);
   printSigma("  of it shared", sigmas.shared_offset_g, model.offset_shared_sigma_g, kMilliG);
-  printSigma("scale", sigmas.scale, model.scale_sigma, kPercent);
+  printSigma("scale", sigmas.scale, model.ofUnknownLot().scale_sigma, kPercent);
   printSigma("cross-axis", sigmas.cross_axis, model.cross_axis_sigma, kPercent);
   if (!sigmas.lot) return;
   std::cout << "Offset that all have in common:";
@@ -86,7 +86,7 @@ Json toJson(const SensorStatistics& statistics, const Accelerometer& model, cons
           {"settled", statistics.settled},
           {"offset_g", toJson(sigmas.offset_g, model.ofUnknownLot().offset_sigma_g)},
           {"shared_offset_g", toJson(sigmas.shared_offset_g, model.offset_shared_sigma_g)},
-          {"scale", toJson(sigmas.scale, model.scale_sigma)},
+          {"scale", toJson(sigmas.scale, model.ofUnknownLot().scale_sigma)},
           {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)},
           {"lot", orNull(sigmas.lot, lot_json)},
           {"file", options.output.empty() ? Json() : Json(options.output)}};

@@ -989,13 +989,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     </message>
 </context>
 <context>
-    <name>hexoderm::RecentSessions</name>
-    <message>
-        <source>Recent</source>
-        <translation>Zuletzt</translation>
-    </message>
-</context>
-<context>
     <name>hexoderm::EditCommand</name>
     <message>
         <source>take pose %1</source>
@@ -3947,18 +3940,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Schleife: erwartet sind zwei verschiedene Ports</translation>
     </message>
     <message>
-        <source>the truth holds no cell {}</source>
-        <translation>die Wahrheit enthält keine Zelle {}</translation>
-    </message>
-    <message>
-        <source>loop search: the largest gap must be metres of 0 or more</source>
-        <translation>Schleifensuche: Der größte Abstand muss 0 Meter oder mehr betragen</translation>
-    </message>
-    <message>
-        <source>loop search: the largest angle must be radians of 0 or more</source>
-        <translation>Schleifensuche: Der größte Winkel muss 0 Radiant oder mehr betragen</translation>
-    </message>
-    <message>
         <source>there is no cell {} to be left out</source>
         <translation>es gibt keine Zelle {}, die ausgelassen werden könnte</translation>
     </message>
@@ -4860,8 +4841,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Die gesehenen Richtungen der Schwerkraft lassen offen, wie die Zellen gedreht sind: eine Pose aufnehmen, in der das Teil um etwa 90 Grad um eine waagrechte Achse gedreht ist.</translation>
     </message>
     <message>
-        <source>shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}</source>
-        <translation>shared_offset_sigma_g ist ein Teil von offset_sigma_g, also höchstens {}; gefunden: {}</translation>
+        <source>at most offset_sigma_g, of which it is a part: {}</source>
+        <translation>höchstens offset_sigma_g, dessen Teil es ist: {}</translation>
     </message>
     <message>
         <source>Other chips are on the skin than the model is about, or it is too sure of them: the estimate and its uncertainty suffer. Estimate the sigmas (hexoderm-cli sensors) and use the cell model that comes out.</source>
@@ -6706,10 +6687,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>a cell of this patch on a path from its origin, which has none itself</source>
         <translation>eine Zelle dieses Hautstücks auf einem Weg von seinem Ursprung, der selbst keine hat</translation>
-    </message>
-    <message>
-        <source>something in it is wrong or unusual; what it is, is looked for in files of up to {} MB only</source>
-        <translation>etwas darin ist falsch oder ungewöhnlich; was es ist, wird nur in Dateien bis {} MB gesucht</translation>
     </message>
     <message>
         <source>{} and {} others</source>
@@ -9018,6 +8995,13 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Take %1 from the list</source>
         <translation>%1 von der Liste nehmen</translation>
+    </message>
+</context>
+<context>
+    <name>hexoderm::RecentSessions</name>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
     </message>
 </context>
 <context>

@@ -31,8 +31,8 @@ struct GraphPaint {
 /// Asks core for the figures of every cell where these are to be shown: some milliseconds for 10,000 cells.
 /// `fixed`: the scale's range, where the operator has fixed it.
 GraphPaint paintOf(const GraphScene& scene, Coloring coloring, Theme theme,
-                   const std::optional<ColorRange>& fixed =
-                       std::nullopt);  /// True if at least one cell says which body part it is on.
+                   const std::optional<ColorRange>& fixed = std::nullopt);
+/// True if at least one cell says which body part it is on.
 bool knowsBodyParts(const GraphScene& scene);
 
 }  // namespace hexoderm

@@ -24,7 +24,7 @@
 
 namespace hexoderm {
 
-/// Puts together what a report says; how it is laid out, report_pdf and report_html say.
+/// Puts together what a report says; how it is laid out, report_pdf and report.cpp say.
 class ReportPage {
   Q_DECLARE_TR_FUNCTIONS(hexoderm::ReportPage)
 

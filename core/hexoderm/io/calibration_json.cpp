@@ -11,7 +11,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <type_traits>
 #include <unordered_map>
 #include <utility>
 

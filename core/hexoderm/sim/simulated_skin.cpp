@@ -340,7 +340,7 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   // All chips are of one lot.
   NormalSource lot(randomStream(options.lot_seed.value_or(options.seed), Stream::Lot));
   const Eigen::Vector3d shared_offset_g = accelerometer.offset_shared_sigma_g * lot.nextVector();
-  const double shared_scale = 1 + accelerometer.scale_shared_sigma * lot.next();
+  const double shared_scale = std::exp(accelerometer.scale_shared_sigma * lot.next());
   truth.reserve(placements.size());
   for (std::size_t k = 0; k < placements.size(); ++k) {
     TrueCell cell{cellNumbered(k), placements[k]};

@@ -40,7 +40,7 @@ struct SkinChoice {
 struct SimulatedSkinOptions : SkinChoice {
   /// Where it is given, the surface itself instead of its description.
   std::shared_ptr<const Surface> laid_on{};
-  /// Chips of one lot share a part of their offsets, which is drawn from this; absent: from the seed.
+  /// What chips of one lot share is drawn from this; absent: from the seed.
   std::optional<std::uint64_t> lot_seed{};
   double position_jitter_m = 0.0002;  ///< 1 sigma, along the surface and normal to it
   double yaw_jitter_rad = 1 * kDegree;

@@ -62,8 +62,7 @@ void placedFields(Json& json, Placement& T_u, Before... before) {
 void takeSharedPart(const JsonReader& in, Accelerometer& a) {
   const double shared_g = in.nonNegativeNumber();
   if (shared_g > a.offset_sigma_g) {
-    in.fail(message("shared_offset_sigma_g is a part of offset_sigma_g, so at most {}, found {}",
-                    Number{a.offset_sigma_g}, Number{shared_g}));
+    in.fail(message("at most offset_sigma_g, of which it is a part: {}", Number{a.offset_sigma_g}));
   }
   a.offset_shared_sigma_g = shared_g;
   a.offset_sigma_g = std::sqrt(a.offset_sigma_g * a.offset_sigma_g - shared_g * shared_g);

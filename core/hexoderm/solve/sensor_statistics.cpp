@@ -63,8 +63,8 @@ Accelerometer withLeastSigmas(Accelerometer accelerometer) {
 bool isSettled(const Accelerometer& before, const Accelerometer& after) {
   constexpr double kSettled = 0.01;
   const auto same = [](double a, double b) { return std::abs(a - b) <= kSettled * a; };
-  return same(before.offset_sigma_g, after.offset_sigma_g) && same(before.scale_sigma, after.scale_sigma) &&
-         same(before.cross_axis_sigma, after.cross_axis_sigma);
+  return same(before.ofUnknownLot().offset_sigma_g, after.ofUnknownLot().offset_sigma_g) &&
+         same(before.scale_sigma, after.scale_sigma) && same(before.cross_axis_sigma, after.cross_axis_sigma);
 }
 
 void requireOneModel(std::span<const std::shared_ptr<const SessionSnapshot>> sessions) {

@@ -30,9 +30,8 @@ struct OwnCell {
   Eigen::Matrix3d R_o_u = Eigen::Matrix3d::Identity();    ///< where it is not known, the estimate's
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of its error e in R_true = R exp(e), cell frame, rad^-2
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();   ///< the inverse of that
-  std::vector<CellReading>
-      readings;  ///< their poses are indices of forces; without the lot's errors where these are known
-  std::vector<Eigen::Vector3d> f_o;  ///< per reading
+  std::vector<CellReading> readings;  ///< without the lot's errors, if they are known; poses are indices of forces
+  std::vector<Eigen::Vector3d> f_o;   ///< per reading
 };
 
 struct OwnAttitudes {

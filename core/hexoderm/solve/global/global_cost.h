@@ -100,8 +100,7 @@ inline constexpr Eigen::Index kLotUnknowns = 4;
 ///       u_c and -u_n, m = unit(u_c - u_n), with u the outward port directions in one frame;
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
 ///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g,
-///   the
-///       lot's offset and the logarithm of its scale.
+///       the lot's offset and the logarithm of its scale.
 double jointCost(const GlobalProblem& problem, const GlobalState& state);
 
 /// The specific force at a cell in a pose, patch frame, g.

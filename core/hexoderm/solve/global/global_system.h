@@ -83,10 +83,10 @@ class GlobalCovariance {
 };
 
 /// The second-order model of jointCost() about a state (Gauss-Newton), factorised: sensors and cells are eliminated
-/// first, as a sparse matrix with 6 x 6 blocks for the cells, and a dense one of all poses' unknowns and the gap share
-/// is left. Serves all problems with the same cells, links and model of accelerometers, one after the other, and keeps
-/// its memory between them. Equations are large, so there are those of one state at a time: where a candidate is
-/// refused, those of the state before are made once more.
+/// first, as a sparse matrix with 6 x 6 blocks for the cells, and a dense one of the unknowns of all poses, the lot and
+/// the gap share is left. Serves all problems with the same cells, links and model of accelerometers, one after the
+/// other, and keeps its memory between them. Equations are large, so there are those of one state at a time: where a
+/// candidate is refused, those of the state before are made once more.
 class GlobalSystem {
  public:
   /// Models the cost about a candidate for the next state; the cost there, which may be NaN.

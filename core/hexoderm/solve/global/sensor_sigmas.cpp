@@ -233,7 +233,11 @@ std::optional<SharedOffset> lotOf(const Likelihood& likelihood) {
 }  // namespace
 
 Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
-  accelerometer.scale_sigma = scale.forModel();
+  if (scale.knowledge != SigmaKnowledge::Unknown) {
+    // One lot does not tell its part of the scales from the chips' own, so all of it counts as theirs.
+    accelerometer.scale_sigma = scale.forModel();
+    accelerometer.scale_shared_sigma = 0;
+  }
   accelerometer.cross_axis_sigma = cross_axis.forModel();
   const double whole_g = offset_g.forModel();
   double& shared_g = accelerometer.offset_shared_sigma_g;
@@ -245,7 +249,8 @@ Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
 }
 
 SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, const Accelerometer& model) {
-  const double whole_offset_g = model.ofUnknownLot().offset_sigma_g;
+  const Accelerometer whole = model.ofUnknownLot();
+  const double whole_offset_g = whole.offset_sigma_g;
   const Variances variances = mostLikely(evidence, variancesOf(model));
   const Likelihood likelihood(evidence, variances);
   const Eigen::Matrix4d errors = errorsOf(likelihood.information(), variances);
@@ -258,7 +263,7 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
     return bounded(variances[at], errors(at, at), boundOf(at, model_sigma), model_sigma);
   };
   SensorSigmas sigmas;
-  sigmas.scale = kind(SensorError::Scale, model.scale_sigma);
+  sigmas.scale = kind(SensorError::Scale, whole.scale_sigma);
   sigmas.cross_axis = kind(SensorError::CrossAxis, model.cross_axis_sigma);
 
   const auto own = static_cast<Eigen::Index>(SensorError::Offset);
