@@ -141,6 +141,37 @@ TEST(SimulatedJoint, TurnsByTheAngleOfTheOptions) {
   EXPECT_NEAR(std::atan2(seen.dot(hinge.along), seen.dot(hinge.normal)), 7 * kDegree, 1e-12);
 }
 
+TEST(SimulatedJoint, MovesItsFarSideThroughTheHandsField) {
+  // Accelerations of a rigid body are affine in position: the near side says which, the far side must agree where it
+  // is.
+  SimulatedSkin skin(kModel, with(Skin::ideal(), &Skin::link_faults, {fault(LinkFaultKind::Joint, 3, 1)},
+                                  &Skin::hand_held, true, &Skin::tremor_angle_sigma_rad, 1 * kDegree));
+  const Hinge hinge = hingeBetween(skin, 3, 1, 4, 4);
+  const Eigen::Vector3d turn = 20 * kDegree * hinge.axis;
+  const Eigen::Matrix3d R = expSO3(turn);
+  skin.record(kUp, 1);
+  const std::vector<SampleFrame> frames = skin.record(kUp, 20);
+  ASSERT_EQ(frames.size(), 20U);
+  for (const SampleFrame& frame : frames) {
+    Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
+    Eigen::Matrix<double, 4, 3> b = Eigen::Matrix<double, 4, 3>::Zero();
+    for (unsigned id = 1; id <= 17; ++id) {
+      if (id == 4 || id == 5) continue;
+      const Eigen::Vector4d at = placement(skin, id).t.homogeneous();
+      H += at * at.transpose();
+      b += at * (placement(skin, id).R * frame.samples[id - 1].acceleration_g).transpose();
+    }
+    const Eigen::Matrix<double, 4, 3> field = H.fullPivLu().solve(b);
+    for (const unsigned id : {4U, 5U}) {
+      const Eigen::Vector3d moved = hinge.point + R * (placement(skin, id).t - hinge.point);
+      const Eigen::Vector3d expected = field.transpose() * moved.homogeneous();
+      EXPECT_LT((R * placement(skin, id).R * frame.samples[id - 1].acceleration_g - expected).norm(), 1e-9);
+      const Eigen::Vector3d unmoved = field.transpose() * placement(skin, id).t.homogeneous();
+      EXPECT_GT((expected - unmoved).norm(), 1e-6);
+    }
+  }
+}
+
 TEST(SimulatedJoint, OneBehindAnotherIsCarriedAlong) {
   SimulatedSkin skin = ideal("x17", {fault(LinkFaultKind::Joint, 4, 1), fault(LinkFaultKind::Joint, 2, 1)}, "plane");
   const Hinge hinge = hingeBetween(skin, 2, 1, 3, 4);
