@@ -195,6 +195,18 @@ TEST_F(WindowLiveTest, CaptureGoesOnInAnUnfinishedSession) {
   EXPECT_EQ(read(path).poses().size(), 2U);
 }
 
+TEST_F(WindowLiveTest, WhatCanNotBeWrittenWaitsUntilItCan) {
+  const QString path = pathTo("later/arm.hexo");
+  ASSERT_NO_FATAL_FAILURE(connectQuickSkin(path));
+  ASSERT_TRUE(waitForMessage("arm.hexo"));
+  EXPECT_EQ(labelText("savedStatus"), "not on disk");
+  ASSERT_TRUE(QDir(folder_.path()).mkdir("later"));
+  click(find<QPushButton>("messageButton"));
+  ASSERT_TRUE(waitForMessage("Saved to " + path));
+  EXPECT_FALSE(controller().file().hasUnsavedChanges());
+  EXPECT_EQ(read(path).poses().size(), 1U);
+}
+
 TEST_F(WindowLiveTest, TheDemoCanBeSavedAsASessionThatKeepsEveryChange) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(0));
   press(Qt::Key_S, Qt::ControlModifier);
