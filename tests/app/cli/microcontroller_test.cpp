@@ -1,7 +1,10 @@
 // A calibration from a microcontroller: the example firmware with skinwire.h, on a Cortex-M3 that QEMU emulates, whose
 // serial port is a pseudo-terminal.
 
+#include "hexoderm/base/se3.h"
+#include "hexoderm/base/units.h"
 #include "hexoderm/device/skinwire/examples/firmware/skin.h"
+#include "hexoderm/io/calibration_json.h"
 #include "hexoderm/session/session_store.h"
 #include "tests/app/cli/cli_program.h"
 #include "tests/core/device/skinwire/wire_messages.h"
@@ -52,6 +55,12 @@ NeighborList trueNeighbors() {
   return cells;
 }
 
+/// How the firmware's cell is turned in the part.
+Eigen::Matrix3d firmwareRotation(std::size_t cell) {
+  using Rows = Eigen::Matrix<std::int16_t, 3, 3, Eigen::RowMajor>;
+  return Eigen::Map<const Rows>(&skin_rotation[cell][0][0]).cast<double>() / SKIN_ONE;
+}
+
 class Microcontroller : public Cli {
  protected:
   void SetUp() override {
@@ -70,7 +79,15 @@ TEST_F(Microcontroller, IsCapturedAndSolved) {
   EXPECT_EQ(json.at("rejected_messages"), 0);
   EXPECT_TRUE(json.at("offences").empty()) << json.at("offences");
   EXPECT_EQ(readSessionStore(path("arm.hexo")).neighbors(), trueNeighbors());
-  EXPECT_EQ(run("solve arm.hexo").exit_code, 0) << "what it reads in different poses is of one rigid skin";
+  ASSERT_EQ(run("solve arm.hexo -o arm.calibration.json").exit_code, 0);
+  const auto result = readCalibrationJson(path("arm.calibration.json"));
+  for (const skin_link& link : skin_links) {
+    const LinkEstimate* found =
+        result->findLink({idOf(link.cell), numberOf(link.port)}, {idOf(link.other_cell), numberOf(link.other_port)});
+    ASSERT_TRUE(found && found->source.cell == idOf(link.cell));
+    const Eigen::Matrix3d R_c_n = firmwareRotation(link.cell).transpose() * firmwareRotation(link.other_cell);
+    EXPECT_LT(toDegrees(rotationAngle(found->R_c_n.transpose() * R_c_n)), 2) << "from cell " << link.cell + 1;
+  }
 }
 
 TEST_F(Microcontroller, AnswersCommands) {

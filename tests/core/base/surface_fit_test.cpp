@@ -161,6 +161,8 @@ TEST(CylinderFit, FindsALongThinAndAShortWideCylinder) {
   }
 }
 
+TEST(CylinderFit, RunsThroughNearlyFlatPoints) { EXPECT_LT(rms(fitCylinder(noisy(1e-6, onPlane())).distance_m), 1e-5); }
+
 /// Points on a cone about z that widens upwards, apex at the origin, over part of its circumference.
 Points onCone(double half_angle_rad, double from_z, double span_rad) {
   Points points;

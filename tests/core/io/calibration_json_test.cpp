@@ -81,6 +81,7 @@ TEST(CalibrationJson, OfARandomSessionIsReadAgain) {
     EXPECT_EQ(back->cellCount(), result->cellCount());
     EXPECT_EQ(back->linkCount(), result->linkCount());
     EXPECT_EQ(back->findings, result->findings);
+    EXPECT_EQ(calibrationToJson(*parseCalibrationJson(calibrationToJson(*back), "c.json")), calibrationToJson(*back));
   }
 }
 
@@ -275,6 +276,12 @@ TEST(CalibrationJson, NamesTheKeyPathOfNumbersThatAreNotFinite) {
   text.replace(at, 3, "1e999");
   EXPECT_THAT(messageOf<FormatError>([&] { parseCalibrationJson(text, "c.json"); }),
               saysAll("c.json: patches[0].links[0].weight: expected a finite number, found 1e999"));
+}
+
+TEST(CalibrationJson, WithAnyValueInAnyPlaceIsReadOrRefused) {
+  test::expectReadAgainOrRefused(calibrationToJson(richCalibration()), "c.json", [](const std::string& changed) {
+    return calibrationToJson(*parseCalibrationJson(changed, "c.json"));
+  });
 }
 
 TEST(CalibrationJson, IsRefusedWhereverItIsCutOff) {

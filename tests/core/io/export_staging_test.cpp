@@ -83,5 +83,15 @@ TEST_F(ExportStaging, KeepsTheRightsOfFilesThatItReplaces) {
   EXPECT_EQ(std::filesystem::status(in("out/a.csv")).permissions(), std::filesystem::perms(0640));
 }
 
+TEST_F(ExportStaging, NamesAFolderThatCannotBe) {
+  temporary_.put("file", "");
+  std::filesystem::create_symlink("loop", in("loop"));
+  for (const std::string& name :
+       {std::string(256, 'n'), std::string("loop"), std::string("file/out"), std::string("missing/out")}) {
+    EXPECT_THAT(refusal(name, {{"a.csv", "1"}}), HasSubstr(in(name).string()));
+  }
+  EXPECT_THAT(names(), ElementsAre("file", "loop"));
+}
+
 }  // namespace
 }  // namespace hexoderm

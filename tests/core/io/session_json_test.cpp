@@ -170,6 +170,13 @@ TEST(SessionJson, NamesTheKeyPathOfWhatIsWrong) {
                          [](const std::string& text) { parseSessionJson(text, "s.json"); });
 }
 
+TEST(SessionJson, WithAnyValueInAnyPlaceIsReadOrRefused) {
+  for (const std::string& text : {readFile(kThreeCells), sessionToJson(test::sessionWithEverything())}) {
+    test::expectReadAgainOrRefused(
+        text, "s.json", [](const std::string& changed) { return sessionToJson(parseSessionJson(changed, "s.json")); });
+  }
+}
+
 TEST(SessionJson, IsRefusedWhereverItIsCutOff) {
   const std::string text = readFile(kThreeCells);
   expectRefusedWhereverCutOff(text, text.find_last_of('}'),

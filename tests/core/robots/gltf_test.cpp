@@ -143,6 +143,17 @@ TEST(Gltf, RefusesBuffersThatAreNoFileFromItsFolder) {
   EXPECT_THAT(complaint("large.bin"), saysAll("large.bin", "too large"));
 }
 
+TEST(Gltf, ReadsBuffersOfDataAndOfAFileBesideIt) {
+  Json json = square();
+  json["buffers"][0]["uri"] = std::string("data:application/octet-stream;base64,") + kSquareInBase64;
+  expectSquare(readMesh(json.dump(), "m"), "data");
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "in it");
+  folder.put("in it/m.bin", squareBytes());
+  json["buffers"][0]["uri"] = "in%20it/m.bin";
+  expectSquare(readMeshFile(folder.put("m.gltf", " \n" + json.dump())), "a file");
+}
+
 TEST(Gltf, RefusesABinaryFileThatIsCutOffAnywhere) {
   const std::string bytes = glb(square());
   for (std::size_t size = 4; size < bytes.size(); ++size) {

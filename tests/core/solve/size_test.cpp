@@ -52,6 +52,7 @@ TEST(Size, MemoryGrowsWithTheSquareOfThePosesAtMost) {
   const double half = memoryToSolve_MB(test::simulatedSession({}, 500, 2));
   const double whole = memoryToSolve_MB(test::simulatedSession({}, 1000, 2));
   EXPECT_LT(whole, kSquare * half) << half << " MB and " << whole << " MB";
+  EXPECT_LT(whole, 450) << "MB";
 }
 
 TEST(Size, TheGlobalSolverTakesLittleMemoryForACell) {

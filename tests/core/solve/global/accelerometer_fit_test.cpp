@@ -193,6 +193,11 @@ TEST(AccelerometerFit, RobustRoundsReachTheMinimumOfTheHuberCost) {
   EXPECT_LT(worst_parameter, 1e-5) << "g";
 }
 
+TEST(AccelerometerFit, WithoutReadingsIsAsUncertainAsThePrior) {
+  const Accelerometer prior;
+  EXPECT_NEAR(fit(prior, {}).covariance_root[0](0, 0), prior.offset_sigma_g, 1e-12);
+}
+
 TEST(AccelerometerFit, SigmaOfZeroPinsTheParameter) {
   Draw draw(5);
   Accelerometer prior;

@@ -260,6 +260,12 @@ TEST(GlobalCost, MatrixIsTheHessianWhereNothingIsLeftOver) {
   }
 }
 
+TEST(GlobalCost, MatrixIsTheHessianOfABentSkinWithoutElastomer) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.bend_sigma_rad = model.twist_sigma_rad = model.yaw_sigma_rad = 1e6;
+  for (const GapShare& gap : kGaps) expectHessian(exactRing(model, gap.mean), gap, 1e-9);
+}
+
 TEST(GlobalCost, ExactLinksAndReadingsCostOnlyWhatTheElastomerPriorAsks) {
   CellModel model = builtInCellModel("hex-bma150");
   model.bend_sigma_rad = 0.5;

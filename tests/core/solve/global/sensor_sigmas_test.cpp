@@ -59,7 +59,12 @@ TEST(SensorEvidence, WeighingIsTheInverseOfTheErrorsCovariance) {
     const Eigen::MatrixXd expected = (Eigen::MatrixXd(M.inverse()) + Eigen::MatrixXd(prior.asDiagonal())).inverse();
     EXPECT_TRUE(weighed.precision.isApprox(expected, 1e-9)) << sensors;
     EXPECT_TRUE(weighed.weighted.isApprox(expected * M.ldlt().solve(evidence.weighted), 1e-8)) << sensors;
+    const WeighedEvidence without_prior = weigh(evidence, Eigen::VectorXd::Zero(prior.size()));
+    EXPECT_EQ(without_prior.precision, M);
+    EXPECT_EQ(without_prior.weighted, evidence.weighted);
   }
+  EXPECT_TRUE(ownEvidence({}, {}).information.isZero());
+  EXPECT_TRUE(ownEvidence({}, {}).weighted.isZero());
 }
 
 TEST(SensorEvidence, ReadingsOfACellSayWhatASmallTurnDoesNotExplain) {
@@ -138,6 +143,32 @@ TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   EXPECT_NEAR(sigmas.cross_axis.worth, 6 * kSensors, 0.1);
   EXPECT_GT(sigmas.shared_offset_g.worth, 2);
   EXPECT_LT(sigmas.shared_offset_g.worth, 3);
+}
+
+TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
+  NormalDraw draw(4);
+  const Accelerometer truth = accelerometer(0.03, 0.02, 0.01, 0.008);
+  const Eigen::VectorXd x = drawErrors(truth, 8, {0.03, -0.02, 0.01}, draw);
+  const SensorEvidence evidence = seen(mixedInformation(x.size(), draw), x, draw);
+  const SensorSigmas sigmas = estimateSensorSigmas(std::vector{evidence}, accelerometer(0.06, 0, 0.02, 0.005));
+  const double shared = std::pow(sigmas.shared_offset_g.sigma, 2);
+  const double own = std::pow(sigmas.offset_g.sigma, 2) - shared;
+  Eigen::VectorXd diagonal(x.size());
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(x.size(), x.size());
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const SensorError kind = kindOfParameter(k);
+    L(k, k) = kind == SensorError::Offset  ? own
+              : kind == SensorError::Scale ? std::pow(sigmas.scale.sigma, 2)
+                                           : std::pow(sigmas.cross_axis.sigma, 2);
+    for (Eigen::Index l = k % kSensorParameters; kind == SensorError::Offset && l < x.size(); l += kSensorParameters) {
+      L(k, l) += shared;
+    }
+  }
+  const Eigen::MatrixXd covariance = (evidence.information + L.inverse()).inverse();
+  const Eigen::VectorXd mean = covariance * evidence.weighted;
+  const Eigen::VectorXd moments = mean.cwiseAbs2() + covariance.diagonal();
+  EXPECT_NEAR(rootMeanOf(SensorError::Scale, moments), sigmas.scale.sigma, 1e-3 * sigmas.scale.sigma);
+  EXPECT_NEAR(rootMeanOf(SensorError::CrossAxis, moments), sigmas.cross_axis.sigma, 1e-3 * sigmas.cross_axis.sigma);
 }
 
 TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {

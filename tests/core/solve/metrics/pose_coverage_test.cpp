@@ -238,6 +238,17 @@ TEST(NextPose, SaysWhatEachPoseAdds) {
   EXPECT_EQ(describeNextPose(opposite, three)->gain, PoseGain::Further);
 }
 
+TEST(NextPose, IsWorthwhileWhereTheAssessmentSaysSo) {
+  Reconstruction result = withGravity({{0, 0, 1}, {1, 0, 0}});
+  const PoseAdvice advice = adviseNextPose(kModel, {{0, 0, 1}, {1, 0, 0}});
+  for (const auto& [remedy, worthwhile] : {std::pair(Remedy::Nothing, false), std::pair(Remedy::CheckSkin, false),
+                                           std::pair(Remedy::TakePose, true), std::pair(Remedy::RetakePoses, true)}) {
+    result.assessment.remedy = remedy;
+    EXPECT_EQ(describeNextPose(advice, result)->worthwhile, worthwhile) << remedyName(remedy);
+    EXPECT_EQ(coverageOf(result).missing.has_value(), remedy == Remedy::TakePose) << remedyName(remedy);
+  }
+}
+
 TEST(NextPose, TurnsFromWhereThePartIsNow) {
   const Reconstruction result = withGravity({{0, 0, 1}});
   PoseAdvice advice;
