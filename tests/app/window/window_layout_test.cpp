@@ -152,7 +152,7 @@ TEST_F(WindowLayoutTest, ResetLayoutBringsEverythingBackToItsPlaceWhereTablesHav
   // Where there is little room, the findings have it all.
   const auto* card = find<QWidget>("findingsCard");
   EXPECT_TRUE(waitUntil([&] { return card->isVisible(); }));
-  window_->resize(1024, 768);
+  window_->resize(window_->minimumSizeHint().width(), 768);
   EXPECT_TRUE(waitUntil([&] { return !card->isVisible(); }));
 }
 
