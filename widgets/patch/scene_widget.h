@@ -34,8 +34,7 @@ namespace hexoderm {
 class SceneInteractorStyle : public vtkInteractorStyleTrackballCamera {
  public:
   static SceneInteractorStyle* New() { VTK_STANDARD_NEW_BODY(SceneInteractorStyle); }
-  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera);
-  void OnChar() override {}
+  vtkTypeMacro(SceneInteractorStyle, vtkInteractorStyleTrackballCamera) void OnChar() override {}
   void OnKeyPress() override {}
 };
 
