@@ -81,7 +81,16 @@ TEST(CalibrationJson, OfARandomSessionIsReadAgain) {
     EXPECT_EQ(back->cellCount(), result->cellCount());
     EXPECT_EQ(back->linkCount(), result->linkCount());
     EXPECT_EQ(back->findings, result->findings);
-    EXPECT_EQ(calibrationToJson(*parseCalibrationJson(calibrationToJson(*back), "c.json")), calibrationToJson(*back));
+    for (std::size_t patch = 0; patch < result->patches.size(); ++patch) {
+      for (std::size_t cell = 0; cell < result->patches[patch].cells.size(); ++cell) {
+        const CellPlacement& was = result->patches[patch].cells[cell];
+        const CellPlacement& is = back->patches.at(patch).cells.at(cell);
+        EXPECT_EQ(is.cell, was.cell);
+        EXPECT_EQ(is.T_o_u.t, was.T_o_u.t);
+        EXPECT_LT((is.T_o_u.R - was.T_o_u.R).norm(), 1e-15);
+        EXPECT_EQ(is.cov_t_r.has_value(), was.cov_t_r.has_value());
+      }
+    }
   }
 }
 
