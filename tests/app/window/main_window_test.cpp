@@ -77,6 +77,7 @@ TEST_F(MainWindowTest, TheRobotTakesAllPosesAfterTheFirstAndNoneIsSkippedWhenThe
 
 TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndEverythingIsUndone) {
   ASSERT_NO_FATAL_FAILURE(takeDemoPoses(2));
+  const auto first = controller().session()->poses()[0].capture;
   EXPECT_FALSE(action("actionRecapture")->isEnabled());
   clickRow("poseView", 0);
   press(Qt::Key_R);
@@ -87,12 +88,13 @@ TEST_F(MainWindowTest, APoseIsTakenAgainInItsPlaceAndEverythingIsUndone) {
   press(Qt::Key_R);
   ASSERT_TRUE(waitForMessage("takes the place of pose 1"));
   press(Qt::Key_Space);
-  ASSERT_TRUE(waitForMessage("Pose 1 captured"));
+  ASSERT_TRUE(waitUntil([&] { return controller().session()->poses()[0].capture != first; }));
+  ASSERT_TRUE(waitForPoses(2));
   EXPECT_EQ(controller().liveSession().recapturing(), std::nullopt);
+  ASSERT_TRUE(waitForMessage("Pose 1 captured"));
   EXPECT_TRUE(waitUntil([this] { return find<QWidget>("messageBar")->isHidden(); }))
       << "there is nothing to call off any more: " << message().toStdString();
   EXPECT_THAT(message(), Not(HasText("repeats pose 1")));
-  ASSERT_TRUE(waitForPoses(2));
   for (int k = 0; k < 3; ++k) press(Qt::Key_Z, Qt::ControlModifier);
   ASSERT_TRUE(waitForPoses(0));
   EXPECT_FALSE(action("actionUndo")->isEnabled());
