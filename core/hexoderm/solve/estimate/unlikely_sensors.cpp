@@ -40,8 +40,8 @@ class ErrorsOfKind {
     of_cells_.push_back(of_cell);
   }
 
-  /// If they contradict the model's variance. Sorts.
-  std::optional<Contradiction> contradiction(double model_variance, double max_deviate) {
+  /// How they contradict the model's variance, where they are clearly larger. Sorts.
+  std::optional<Contradiction> contradiction(double model_variance) {
     if (of_cells_.size() < kFewestCells || squares_ <= 0) return std::nullopt;
     std::ranges::sort(of_cells_);
     const std::size_t left_out = (of_cells_.size() + kCellsPerOneLeftOut - 1) / kCellsPerOneLeftOut;
@@ -49,7 +49,7 @@ class ErrorsOfKind {
     const double sum = std::accumulate(of_cells_.begin(), worst, 0.0) / kShareLeft;
     const Misfit misfit{sum * expected_ / squares_, expected_ * expected_ / squares_};
     const double variance = model_variance + (sum - expected_) / squares_;
-    const bool contradicts = misfit.deviate() > max_deviate && variance > kMinTimes * kMinTimes * model_variance;
+    const bool contradicts = variance > kMinTimes * kMinTimes * model_variance;
     return contradicts ? std::optional(Contradiction{misfit.deviate(), std::sqrt(variance)}) : std::nullopt;
   }
 
@@ -140,8 +140,9 @@ void nameUnlikelySensors(const SkinLinks& skin, std::span<const PatchSolver> pat
   SensorError of_kind{};
   for (std::size_t kind = 0; kind < kSensorErrors; ++kind) {
     const auto parameter = static_cast<Eigen::Index>(kind);  // of the first axis: offset, scale, cross-axis
-    const auto found = kinds.at(kind).contradiction(prior[parameter], skin.options().max_misfit);
-    if (!found || (clearest && found->deviate <= clearest->deviate)) continue;
+    const auto found = kinds.at(kind).contradiction(prior[parameter]);
+    if (!found || !(found->deviate > skin.options().max_misfit)) continue;
+    if (clearest && found->deviate <= clearest->deviate) continue;
     clearest = found;
     of_kind = static_cast<SensorError>(kind);
   }
