@@ -49,7 +49,7 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
             << (statistics.settled ? "" : " and not settled") << '\n';
   std::cout << "Errors of the accelerometers, 1 sigma an axis:\n";
   const SensorSigmas& sigmas = statistics.sigmas;
-  printSigma("offset", sigmas.offset_g, model.ofUnknownLot().offset_sigma_g, kMilliG);
+  printSigma("offset", sigmas.offset_g, model.ofUnknownLot().largestOffsetSigma_g(), kMilliG);
   printSigma("  of it shared", sigmas.shared_offset_g, model.offset_shared_sigma_g, kMilliG);
   printSigma("scale", sigmas.scale, model.ofUnknownLot().scale_sigma, kPercent);
   printSigma("cross-axis", sigmas.cross_axis, model.cross_axis_sigma, kPercent);
@@ -84,7 +84,7 @@ Json toJson(const SensorStatistics& statistics, const Accelerometer& model, cons
           {"readings", statistics.readings},
           {"rounds", statistics.rounds},
           {"settled", statistics.settled},
-          {"offset_g", toJson(sigmas.offset_g, model.ofUnknownLot().offset_sigma_g)},
+          {"offset_g", toJson(sigmas.offset_g, model.ofUnknownLot().largestOffsetSigma_g())},
           {"shared_offset_g", toJson(sigmas.shared_offset_g, model.offset_shared_sigma_g)},
           {"scale", toJson(sigmas.scale, model.ofUnknownLot().scale_sigma)},
           {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)},

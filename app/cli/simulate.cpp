@@ -94,7 +94,7 @@ int run(const SimulateOptions& options, const Common& common) {
                           "\"");
   }
   CellModel model = asInput([&] { return loadCellModel(options.cell_model); });
-  if (options.offset_sigma_mg) model.accelerometer.offset_sigma_g = *options.offset_sigma_mg / 1000;
+  if (options.offset_sigma_mg) model.accelerometer.offset_sigma_g.setConstant(*options.offset_sigma_mg / 1000);
   if (!options.lot.empty()) model.accelerometer.offset_shared_sigma_g = options.lot.front() / 1000;
   if (options.lot.size() == 2) model.accelerometer.scale_shared_sigma = options.lot.back() / 100;
   model.validate();

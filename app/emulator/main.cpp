@@ -288,7 +288,7 @@ void addOptions(CLI::App& app, Options& options) {
 
 std::unique_ptr<SimulatedBody> bodyOf(const Options& options) {
   CellModel model = loadCellModel(options.cell_model);
-  if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g = options.offset_sigma_mg / 1000;
+  if (options.offset_sigma_mg >= 0) model.accelerometer.offset_sigma_g.setConstant(options.offset_sigma_mg / 1000);
   RobotText words = options.words;
   words.link_law = linkLawFromName(options.link_law);
   for (const std::string& fault : options.faults) addFault(fault, "--fault", words);

@@ -42,7 +42,8 @@ Session simulate(const Text& patch, const Text& surface, const Count& poses, con
   const std::size_t sample_count = samples.as("samples");
   requireSamples(sample_count);
   CellModel model = modelFrom(cell_model);
-  if (const auto sigma = offset_sigma_g.as("offset_sigma_g", "a number")) model.accelerometer.offset_sigma_g = *sigma;
+  if (const auto sigma = offset_sigma_g.as("offset_sigma_g", "a number"))
+    model.accelerometer.offset_sigma_g.setConstant(*sigma);
   model.validate();
   SimulatedSkinOptions options = skinOptions(wordsFrom(patch, surface, seed, link_law, ideal), motion.as("motion"));
   for (const std::string& fault : faults.as("faults", kTexts)) addFault(fault, "faults", options);

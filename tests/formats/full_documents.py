@@ -38,9 +38,13 @@ def cell_model(root):
     model["name"] = "own"
     c, s = math.cos(0.3), math.sin(0.3)
     placed = {"t_u_m": [0.001, 0, 0], "q_u_wxyz": [1, 0, 0, 0], "R_u": [c, -s, 0, s, c, 0, 0, 0, 1]}
-    model["accelerometer"].update(offset_shared_sigma_g=0.03, scale_shared_sigma=0.1, cross_axis_sigma=0.005, **placed)
+    model["accelerometer"].update(
+        offset_sigma_g=[0.04, 0.04, 0.06], offset_shared_sigma_g=0.03, scale_shared_sigma=0.1, cross_axis_sigma=0.005,
+        offset_drift_sigma_g=0.006, offset_drift_shared_sigma_g=0.005, offset_instability_sigma_g=0.0005,
+        offset_instability_shared_sigma_g=0.0025, **placed)
     model["sensors"] = [{"name": "t", "type": "temperature", **placed}]
-    model.update(forbidden_port_pairs=[[1, 1]], side_angle_rad=0.1, bend_sigma_rad=0.5, twist_sigma_rad=0.2,
+    model.update(forbidden_port_pairs=[[1, 1]], mounting_sigma_rad=0.01, side_angle_rad=0.1,
+                 bend_sigma_rad=0.5, twist_sigma_rad=0.2,
                  yaw_sigma_rad=0.05)
     return model
 

@@ -94,7 +94,7 @@ inline void expectSameSession(const Session& a, const Session& b) {
 /// A session that uses everything a session has, with numbers that are hard to keep.
 inline Session sessionWithEverything() {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g = 1.0 / 3.0;
+  model.accelerometer.offset_sigma_g.setConstant(1.0 / 3.0);
   model.accelerometer.T_u_a = {expSO3({0.3, -0.7, 1.1}), {1e-3 / 3, -0.0, 1}};
   model.sensors.push_back({"skin temperature", "temperature", {expSO3({-2.1, 0.2, 0.9}), {0.1 + 0.2, 0, 0}}});
   Session session(std::move(model),

@@ -41,7 +41,7 @@ Message rangeText(std::span<const CellSample> readings) {
 void checkReadings(const CellModel& model, std::span<const CellSample> readings, const std::set<CellId>& silent,
                    std::vector<SkinCheckItem>& items) {
   const Accelerometer accelerometer = model.accelerometer.ofUnknownLot();
-  const double tolerance_g = 5 * std::hypot(accelerometer.offset_sigma_g, accelerometer.scale_sigma);
+  const double tolerance_g = 5 * std::hypot(accelerometer.largestOffsetSigma_g(), accelerometer.scale_sigma);
   std::vector<CellSample> odd;
   std::copy_if(readings.begin(), readings.end(), std::back_inserter(odd), [&](const CellSample& reading) {
     return !(std::abs(reading.acceleration_g.norm() - 1) <= tolerance_g);

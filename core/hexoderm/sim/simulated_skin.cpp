@@ -350,7 +350,7 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
     cell.T_b_u.t += cell.T_b_u.R * shift;
     cell.T_b_u.R *= expSO3(turn);
     if (options.sensor_errors) {
-      cell.offset_g = shared_offset_g + accelerometer.offset_sigma_g * errors.nextVector();
+      cell.offset_g = shared_offset_g + accelerometer.offset_sigma_g.cwiseProduct(errors.nextVector());
       for (int row = 0; row < 3; ++row) {
         for (int col = 0; col < 3; ++col) {
           cell.gain(row, col) +=

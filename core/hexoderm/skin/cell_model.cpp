@@ -24,7 +24,8 @@ double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.v
 
 Accelerometer Accelerometer::ofUnknownLot() const {
   Accelerometer alone = *this;
-  alone.offset_sigma_g = std::hypot(offset_sigma_g, std::exchange(alone.offset_shared_sigma_g, 0));
+  const double shared_g = std::exchange(alone.offset_shared_sigma_g, 0);
+  alone.offset_sigma_g = offset_sigma_g.unaryExpr([&](double own_g) { return std::hypot(own_g, shared_g); });
   alone.scale_sigma = std::hypot(scale_sigma, std::exchange(alone.scale_shared_sigma, 0));
   return alone;
 }
@@ -106,13 +107,18 @@ void CellModel::validate() const {
   notNegative(accelerometer.lsb_g, "accelerometer.lsb_g", kMaxAcceleration_g);
   positive(accelerometer.rate_hz, "accelerometer.rate_hz");
   notNegative(accelerometer.noise_g_per_sqrt_hz, "accelerometer.noise_g_per_sqrt_hz");
-  notNegative(accelerometer.offset_sigma_g, "accelerometer.offset_sigma_g");
+  for (const double sigma_g : accelerometer.offset_sigma_g) notNegative(sigma_g, "accelerometer.offset_sigma_g");
   notNegative(accelerometer.offset_shared_sigma_g, "accelerometer.offset_shared_sigma_g");
   notNegative(accelerometer.scale_sigma, "accelerometer.scale_sigma");
   notNegative(accelerometer.scale_shared_sigma, "accelerometer.scale_shared_sigma");
   notNegative(accelerometer.cross_axis_sigma, "accelerometer.cross_axis_sigma");
+  notNegative(accelerometer.offset_drift_sigma_g, "accelerometer.offset_drift_sigma_g");
+  notNegative(accelerometer.offset_drift_shared_sigma_g, "accelerometer.offset_drift_shared_sigma_g");
+  notNegative(accelerometer.offset_instability_sigma_g, "accelerometer.offset_instability_sigma_g");
+  notNegative(accelerometer.offset_instability_shared_sigma_g, "accelerometer.offset_instability_shared_sigma_g");
   placed(accelerometer.T_u_a, "accelerometer.");
   for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": ");
+  notNegative(mounting_sigma_rad, "mounting_sigma_rad");
   require(std::abs(side_angle_rad) <= kMax, message("side_angle_rad must be within {}", Number{kMax}));
   positive(link_sigma_m, "link_sigma_m");
   positive(bend_sigma_rad, "bend_sigma_rad");

@@ -58,14 +58,25 @@ void placedFields(Json& json, Placement& T_u, Before... before) {
                     derivedField(kExactRotation, exact, [&T_u](auto& in) { T_u.R = in.rotation(); }));
 }
 
+/// One number for all axes, or three.
+struct AsPerAxis {
+  void take(const JsonReader& in, Eigen::Vector3d& sigmas) const {
+    if (in.isArray()) return kNonNegativeVector.take(in, sigmas);
+    sigmas.setConstant(in.nonNegativeNumber());
+  }
+  void put(JsonWriter& out, const Eigen::Vector3d& sigmas) const {
+    (sigmas.array() == sigmas[0]).all() ? out.value(sigmas[0]) : out.value(sigmas);
+  }
+};
+
 /// As models had it at first: the lot's part of offset_sigma_g.
 void takeSharedPart(const JsonReader& in, Accelerometer& a) {
   const double shared_g = in.nonNegativeNumber();
-  if (shared_g > a.offset_sigma_g) {
-    in.fail(message("at most offset_sigma_g, of which it is a part: {}", Number{a.offset_sigma_g}));
+  if (const double least_g = a.offset_sigma_g.minCoeff(); shared_g > least_g) {
+    in.fail(message("at most offset_sigma_g, of which it is a part: {}", Number{least_g}));
   }
   a.offset_shared_sigma_g = shared_g;
-  a.offset_sigma_g = std::sqrt(a.offset_sigma_g * a.offset_sigma_g - shared_g * shared_g);
+  a.offset_sigma_g = (a.offset_sigma_g.array().square() - shared_g * shared_g).sqrt();
 }
 
 template <class Json, class Model>
@@ -80,11 +91,15 @@ void modelFields(Json& json, Model& model) {
     placedFields(item, a.T_u_a, requiredField("range_g", a.range_g, kPositive),
                  requiredField("lsb_g", a.lsb_g, kNonNegative), requiredField("rate_hz", a.rate_hz, kPositive),
                  requiredField("noise_g_per_sqrt_hz", a.noise_g_per_sqrt_hz, kNonNegative),
-                 requiredField("offset_sigma_g", a.offset_sigma_g, kNonNegative),
+                 requiredField("offset_sigma_g", a.offset_sigma_g, AsPerAxis()),
                  optionalField("offset_shared_sigma_g", a.offset_shared_sigma_g, kNonNegative),
                  requiredField("scale_sigma", a.scale_sigma, kNonNegative),
                  optionalField("scale_shared_sigma", a.scale_shared_sigma, kNonNegative),
                  defaultedField("cross_axis_sigma", a.cross_axis_sigma, kNonNegative),
+                 defaultedField("offset_drift_sigma_g", a.offset_drift_sigma_g, kNonNegative),
+                 defaultedField("offset_drift_shared_sigma_g", a.offset_drift_shared_sigma_g, kNonNegative),
+                 defaultedField("offset_instability_sigma_g", a.offset_instability_sigma_g, kNonNegative),
+                 defaultedField("offset_instability_shared_sigma_g", a.offset_instability_shared_sigma_g, kNonNegative),
                  derivedField(
                      "shared_offset_sigma_g", [] { return std::optional<double>(); },
                      [&a](auto& in) { takeSharedPart(in, a); }));
@@ -96,6 +111,7 @@ void modelFields(Json& json, Model& model) {
                     requiredField("accelerometer", model.accelerometer, Described{accelerometer}),
                     defaultedField("sensors", model.sensors, Described{sensor}),
                     optionalField("forbidden_port_pairs", model.forbidden_port_pairs, AsPortPair()),
+                    defaultedField("mounting_sigma_rad", model.mounting_sigma_rad, kNonNegative),
                     defaultedField("side_angle_rad", model.side_angle_rad),
                     defaultedField("link_sigma_m", model.link_sigma_m, kPositive),
                     defaultedField("bend_sigma_rad", model.bend_sigma_rad, kPositive),

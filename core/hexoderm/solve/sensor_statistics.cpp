@@ -54,7 +54,7 @@ SessionSnapshot partOf(const SessionSnapshot& session) {
 Accelerometer withLeastSigmas(Accelerometer accelerometer) {
   constexpr double kMinOffset_g = 1e-4;
   constexpr double kMinGain = 1e-4;
-  accelerometer.offset_sigma_g = std::max(accelerometer.offset_sigma_g, kMinOffset_g);
+  accelerometer.offset_sigma_g = accelerometer.offset_sigma_g.cwiseMax(kMinOffset_g);
   accelerometer.scale_sigma = std::max(accelerometer.scale_sigma, kMinGain);
   accelerometer.cross_axis_sigma = std::max(accelerometer.cross_axis_sigma, kMinGain);
   return accelerometer;
@@ -63,7 +63,7 @@ Accelerometer withLeastSigmas(Accelerometer accelerometer) {
 bool isSettled(const Accelerometer& before, const Accelerometer& after) {
   constexpr double kSettled = 0.01;
   const auto same = [](double a, double b) { return std::abs(a - b) <= kSettled * a; };
-  return same(before.ofUnknownLot().offset_sigma_g, after.ofUnknownLot().offset_sigma_g) &&
+  return same(before.ofUnknownLot().largestOffsetSigma_g(), after.ofUnknownLot().largestOffsetSigma_g()) &&
          same(before.scale_sigma, after.scale_sigma) && same(before.cross_axis_sigma, after.cross_axis_sigma);
 }
 

@@ -79,7 +79,7 @@ class Readings {
 
   static Eigen::Matrix3d ofSensor(const Accelerometer& a, const Eigen::Vector3d& v, const Eigen::Vector3d& w) {
     const double cross = a.cross_axis_sigma * a.cross_axis_sigma;
-    Eigen::Matrix3d block = (cross * v.dot(w) + a.offset_sigma_g * a.offset_sigma_g) * Eigen::Matrix3d::Identity();
+    Eigen::Matrix3d block = (cross * v.dot(w) + std::pow(a.largestOffsetSigma_g(), 2)) * Eigen::Matrix3d::Identity();
     block.diagonal() += (a.scale_sigma * a.scale_sigma - cross) * v.cwiseProduct(w);
     return block;
   }

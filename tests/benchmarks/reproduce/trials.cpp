@@ -13,7 +13,7 @@ namespace hexoderm::cli {
 
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed) {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g = skin_case.offset_sigma_mg / 1000;
+  model.accelerometer.offset_sigma_g.setConstant(skin_case.offset_sigma_mg / 1000);
   SimulatedSkinOptions options;
   options.patch = skin_case.patch;
   options.surface = skin_case.surface;

@@ -50,7 +50,7 @@ void noteNees(Tally& tally, const Reconstruction& result, const GroundTruth& tru
 /// The same measurements with another prior for the size of offsets.
 Session withPrior(const Session& session, double prior_mg) {
   CellModel model = session.model();
-  model.accelerometer.offset_sigma_g = prior_mg / 1000;
+  model.accelerometer.offset_sigma_g.setConstant(prior_mg / 1000);
   Session other(std::move(model), session.neighbors());
   for (const SessionPose& pose : session.poses()) other.addPose(pose);
   return other;

@@ -22,7 +22,7 @@ TEST(Session, RefusesACellModelThatMakesNoSense) {
       {"bend_sigma_rad must be above 0", [](CellModel& model) { model.bend_sigma_rad = 0; }},
       {"yaw_sigma_rad must be above 0", [&](CellModel& model) { model.yaw_sigma_rad = nan; }},
       {"accelerometer.offset_sigma_g must not be negative",
-       [](CellModel& model) { model.accelerometer.offset_sigma_g = -1; }},
+       [](CellModel& model) { model.accelerometer.offset_sigma_g.z() = -1; }},
       {"accelerometer.R_u must be a rotation", [&](CellModel& model) { model.accelerometer.T_u_a.R(0, 0) = nan; }},
   };
   Session session = emptySession();

@@ -152,7 +152,7 @@ TEST(CellModelJson, SaysTheLengthOfAQuaternionThatIsNone) {
 
 TEST(CellModelJson, StatesTheErrorsOfItsChip) {
   const CellModel model = sparseModel("0.02");
-  EXPECT_EQ(model.accelerometer.offset_sigma_g, 0.06);
+  EXPECT_EQ(model.accelerometer.offset_sigma_g, Eigen::Vector3d::Constant(0.06));
   EXPECT_FALSE(model.accelerometer.sharesErrors());
   EXPECT_EQ(cellModelToJson(model).find("shared"), std::string::npos);
   EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma_g\": 0.5, \"offset_sigma_g\": "),
@@ -168,8 +168,8 @@ TEST(CellModelJson, OfOldHasTheLotsOffsetAsAPartOfTheWhole) {
   text.insert(text.find(key), "\"shared_offset_sigma_g\": 0.036, ");
   const Accelerometer a = cellModelFromJson(text, "m.json").accelerometer;
   EXPECT_DOUBLE_EQ(a.offset_shared_sigma_g, 0.036);
-  EXPECT_DOUBLE_EQ(a.offset_sigma_g, 0.048);
-  EXPECT_DOUBLE_EQ(a.ofUnknownLot().offset_sigma_g, 0.06);
+  EXPECT_DOUBLE_EQ(a.offset_sigma_g.x(), 0.048);
+  EXPECT_DOUBLE_EQ(a.ofUnknownLot().offset_sigma_g.x(), 0.06);
 }
 
 TEST(CellModelJson, RefusesKeysThatItDoesNotKnowAndNamesWhatWasMeant) {

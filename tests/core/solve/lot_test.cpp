@@ -20,7 +20,7 @@ constexpr std::uint64_t kLots = test::kSlowBuild ? 4 : 24;
 
 CellModel chips(double own_g, double shared_g, double shared_scale) {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g = own_g;
+  model.accelerometer.offset_sigma_g.setConstant(own_g);
   model.accelerometer.offset_shared_sigma_g = shared_g;
   model.accelerometer.scale_shared_sigma = shared_scale;
   return model;

@@ -224,7 +224,7 @@ TEST(Reconstructor, ResidualWeightsAvoidABadEdge) {
   // A ring's bad link can be gone around: with the paper's classes it can't be told from the others.
   // With calibrated sensors, so that a residual of two degrees stands out.
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g = 0.005;
+  model.accelerometer.offset_sigma_g.setConstant(0.005);
   model.accelerometer.scale_sigma = 0.002;
   model.accelerometer.cross_axis_sigma = 0.001;
   PinJointedSkin skin = ringOfEight(45 * kDegree, model);

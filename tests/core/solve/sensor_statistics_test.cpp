@@ -19,7 +19,7 @@ using test::kSlowBuild;
 /// `offset_g`: of all of it.
 CellModel modelWith(double offset_g, double shared_g, double scale, double cross_axis) {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g = std::sqrt(offset_g * offset_g - shared_g * shared_g);
+  model.accelerometer.offset_sigma_g.setConstant(std::sqrt(offset_g * offset_g - shared_g * shared_g));
   model.accelerometer.offset_shared_sigma_g = shared_g;
   model.accelerometer.scale_sigma = scale;
   model.accelerometer.cross_axis_sigma = cross_axis;
@@ -146,7 +146,7 @@ TEST(SensorStatistics, TheModelIsTheSessionsWithOtherSigmasAndReadsBack) {
   const auto statistics = estimateSensorStatistics(Snapshots{simulate(modelWith(0.03, 0.02, 0.01, 0.01), model, {})});
   const CellModel back = cellModelFromJson(cellModelToJson(statistics->model), "chip.json");
   EXPECT_EQ(cellModelToJson(back), cellModelToJson(statistics->model));
-  EXPECT_DOUBLE_EQ(back.accelerometer.ofUnknownLot().offset_sigma_g, statistics->sigmas.offset_g.sigma);
+  EXPECT_DOUBLE_EQ(back.accelerometer.ofUnknownLot().largestOffsetSigma_g(), statistics->sigmas.offset_g.sigma);
   CellModel with_old_sigmas = back;
   with_old_sigmas.accelerometer = model.accelerometer;
   EXPECT_EQ(cellModelToJson(with_old_sigmas), cellModelToJson(model));

@@ -107,7 +107,7 @@ Message describe(SensorError kind, std::size_t cells, double sigma, const Accele
   const Message spread =
       kind == SensorError::Offset
           ? message("The offsets of {} accelerometers spread by about {} (1 sigma), and the cell model says {}.", cells,
-                    MilliG{sigma}, MilliG{model.offset_sigma_g})
+                    MilliG{sigma}, MilliG{model.largestOffsetSigma_g()})
       : kind == SensorError::Scale
           ? message(
                 "The scale errors of {} accelerometers spread by about {} % (1 sigma), and the cell model says {} %.",

@@ -161,7 +161,8 @@ class Judge {
     const Accelerometer& a = snapshot_.model->accelerometer;
     const auto cells = static_cast<double>(table_.cellCount());
     double chance = cells * cells / 2 * static_cast<double>(table_.enabledPoses().size());
-    double offset_g = a.offset_sigma_g;  // two sensors that agree in one pose have the same offsets in all others
+    double offset_g =
+        a.largestOffsetSigma_g();  // two sensors that agree in one pose have the same offsets in all others
     for (const std::size_t pose : poses) {
       const std::optional<double> step_g = resolution(cell, pose, grid_step_g);
       if (!step_g) return 1;
@@ -228,8 +229,7 @@ class Judge {
     const Accelerometer a = snapshot_.model->accelerometer.ofUnknownLot();
     // An offset b lengthens a reading along d by b.d, and scales s by the sum of s_i d_i^2.
     Vector6 sigmas;
-    sigmas << Eigen::Vector3d::Constant(std::max(kMin, a.offset_sigma_g)),
-        Eigen::Vector3d::Constant(std::max(kMin, a.scale_sigma));
+    sigmas << a.offset_sigma_g.cwiseMax(kMin), Eigen::Vector3d::Constant(std::max(kMin, a.scale_sigma));
     Matrix6d information = sigmas.cwiseAbs2().cwiseInverse().asDiagonal();
     Vector6 weighted = Vector6::Zero();
     double squares = 0;
@@ -290,7 +290,7 @@ class Judge {
   /// Range and norm: a reading that can't be gravity is not used.
   void judgeReadings(std::size_t cell) {
     const Accelerometer a = snapshot_.model->accelerometer.ofUnknownLot();
-    const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(a.offset_sigma_g, a.scale_sigma));
+    const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(a.largestOffsetSigma_g(), a.scale_sigma));
     std::vector<std::size_t> saturated;
     std::vector<std::size_t> dead;
     std::vector<std::size_t> off_norm;

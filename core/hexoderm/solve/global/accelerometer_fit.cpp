@@ -174,7 +174,7 @@ AccelerometerPrior::AccelerometerPrior(const Accelerometer& accelerometer, const
   for (int axis = 0; axis < 3; ++axis) {
     Eigen::Vector4d& precision = precision_[static_cast<std::size_t>(axis)];
     precision.setConstant(precisionOf(accelerometer.cross_axis_sigma));
-    precision[0] = precisionOf(std::hypot(accelerometer.offset_sigma_g, std::sqrt(more_g2[axis])));
+    precision[0] = precisionOf(std::hypot(accelerometer.offset_sigma_g[axis], std::sqrt(more_g2[axis])));
     precision[axis + 1] = precisionOf(accelerometer.scale_sigma);
   }
 }

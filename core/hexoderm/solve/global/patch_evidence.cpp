@@ -72,7 +72,8 @@ SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& 
   }
   CellModel perfect = *problem.model;
   Accelerometer& sensor = perfect.accelerometer;
-  sensor.offset_sigma_g = sensor.scale_sigma = sensor.cross_axis_sigma = 0;
+  sensor.offset_sigma_g.setZero();
+  sensor.scale_sigma = sensor.cross_axis_sigma = 0;
   sensor.offset_shared_sigma_g = sensor.scale_shared_sigma = 0;
   const SensorLot& lot = state.lot;
   const GlobalProblem with_perfect = withPerfectSensors(problem, sensors, lot.scale, perfect);

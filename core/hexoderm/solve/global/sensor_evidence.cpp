@@ -9,7 +9,7 @@ namespace hexoderm {
 namespace {
 
 double sigmaOf(const Accelerometer& accelerometer, SensorError kind) {
-  if (kind == SensorError::Offset) return accelerometer.offset_sigma_g;
+  if (kind == SensorError::Offset) return accelerometer.largestOffsetSigma_g();
   return kind == SensorError::Scale ? accelerometer.scale_sigma : accelerometer.cross_axis_sigma;
 }
 

@@ -119,7 +119,7 @@ class Likelihood {
 
 Variances variancesOf(const Accelerometer& model) {
   constexpr double kMinShare = 0.01;  // of the offsets' variance, so that a shared part can be found
-  const double own = std::pow(model.offset_sigma_g, 2);
+  const double own = std::pow(model.largestOffsetSigma_g(), 2);
   const double shared = std::max(std::pow(model.offset_shared_sigma_g, 2), kMinShare * own);
   Variances variances(own, std::pow(model.scale_sigma, 2), std::pow(model.cross_axis_sigma, 2), shared);
   constexpr double kMinStart = 1e-8;  // from exactly 0 nothing would move
@@ -244,13 +244,13 @@ Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
   if (shared_offset_g.knowledge == SigmaKnowledge::Measured) shared_g = shared_offset_g.sigma;
   if (shared_offset_g.knowledge == SigmaKnowledge::AtMost) shared_g = 0;
   shared_g = std::min(shared_g, whole_g);
-  accelerometer.offset_sigma_g = std::sqrt(whole_g * whole_g - shared_g * shared_g);
+  accelerometer.offset_sigma_g.setConstant(std::sqrt(whole_g * whole_g - shared_g * shared_g));
   return accelerometer;
 }
 
 SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, const Accelerometer& model) {
   const Accelerometer whole = model.ofUnknownLot();
-  const double whole_offset_g = whole.offset_sigma_g;
+  const double whole_offset_g = whole.largestOffsetSigma_g();
   const Variances variances = mostLikely(evidence, variancesOf(model));
   const Likelihood likelihood(evidence, variances);
   const Eigen::Matrix4d errors = errorsOf(likelihood.information(), variances);

@@ -46,7 +46,7 @@ Eigen::Matrix3d rotationInformation(const Eigen::MatrixBase<Vectors>& v) {
 Eigen::Matrix3d sensorScatter(const Accelerometer& a, const Eigen::Matrix3Xd& v, const Eigen::Matrix3Xd& x,
                               const Eigen::Matrix3d& basis) {
   const Eigen::Matrix3d S = skew(v.rowwise().sum());
-  Eigen::Matrix3d scatter = a.offset_sigma_g * a.offset_sigma_g * S * S.transpose();
+  Eigen::Matrix3d scatter = std::pow(a.largestOffsetSigma_g(), 2) * S * S.transpose();
   const Eigen::Matrix3d T = v.lazyProduct(x.transpose());  // column j: sum_p v_p x_pj
   // Over all i and j the moments T_j x b_i add up to the information of T; those with i = j are scale errors.
   const double cross_axis = a.cross_axis_sigma * a.cross_axis_sigma;
@@ -107,7 +107,7 @@ class EdgeSolver {
       const double length = std::min(N.col(p).norm(), C.col(p).norm());
       if (length >= kShortestCentred_g) {
         angle = angleBetween(C.col(p), edge.R_c_n * N.col(p));
-        const double offset = edge.centred ? 0 : a.offset_sigma_g;
+        const double offset = edge.centred ? 0 : a.largestOffsetSigma_g();
         const double shared_g2 = edge.centred ? 0 : a.sharedOffsetBetween_g2(edge.R_c_n).trace() / 3;
         // Two cells, two directions across the vector; gains act on the whole reading, not on what centring leaves.
         const double per_axis =
@@ -174,7 +174,7 @@ double paperWeight(EdgeQuality quality) {
 EdgeKernelOptions edgeKernelOptions(const CellModel& model, const SolverOptions& options) {
   const Accelerometer& a = model.accelerometer;
   EdgeKernelOptions kernel;
-  kernel.offset_variance_g2 = a.offset_sigma_g * a.offset_sigma_g;
+  kernel.offset_variance_g2 = std::pow(a.largestOffsetSigma_g(), 2);
   kernel.shared_offset_variance_g2 = a.offset_shared_sigma_g * a.offset_shared_sigma_g;
   kernel.scale_variance = a.scale_sigma * a.scale_sigma;
   kernel.cross_axis_variance = a.cross_axis_sigma * a.cross_axis_sigma;

@@ -284,7 +284,7 @@ TEST(CalibrationCheck, ACellThatWasPlacedByItsLinksIsCheckedAsFarAsItIsKnown) {
 
 TEST(CalibrationCheck, ACalibrationThatIsTooUncertainTellsNothingAndSaysSo) {
   PinJointedSkin skin = bentX17();
-  skin.model.accelerometer.offset_sigma_g = 0.3;
+  skin.model.accelerometer.offset_sigma_g.setConstant(0.3);
   const CalibrationCheck result = check(*calibrated(skin, 2, test::by(Solver::Tree)), skin.session({kToday[0]}));
   EXPECT_FALSE(result.changed);
   EXPECT_FALSE(result.compared);

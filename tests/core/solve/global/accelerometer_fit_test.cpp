@@ -26,7 +26,7 @@ struct Sensor {
 
 Sensor drawSensor(const Accelerometer& prior, Draw& draw) {
   Sensor sensor;
-  sensor.offset_g = prior.offset_sigma_g * draw.vector();
+  sensor.offset_g = prior.offset_sigma_g.cwiseProduct(draw.vector());
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       sensor.gain(i, j) += (i == j ? prior.scale_sigma : prior.cross_axis_sigma) * draw.normal();
@@ -73,7 +73,7 @@ struct DenseCost {
     Vector12d precision;
     for (int k = 0; k < 12; ++k) {
       const bool on_diagonal = k == 3 || k == 7 || k == 11;
-      const double sigma = k < 3 ? prior.offset_sigma_g : (on_diagonal ? prior.scale_sigma : prior.cross_axis_sigma);
+      const double sigma = k < 3 ? prior.offset_sigma_g[k] : (on_diagonal ? prior.scale_sigma : prior.cross_axis_sigma);
       precision[k] = 1 / (sigma * sigma);
     }
     return precision;
@@ -195,14 +195,14 @@ TEST(AccelerometerFit, RobustRoundsReachTheMinimumOfTheHuberCost) {
 
 TEST(AccelerometerFit, WithoutReadingsIsAsUncertainAsThePrior) {
   const Accelerometer prior;
-  EXPECT_NEAR(fit(prior, {}).covariance_root[0](0, 0), prior.offset_sigma_g, 1e-12);
+  EXPECT_NEAR(fit(prior, {}).covariance_root[0](0, 0), prior.offset_sigma_g.x(), 1e-12);
 }
 
 TEST(AccelerometerFit, SigmaOfZeroPinsTheParameter) {
   Draw draw(5);
   Accelerometer prior;
   const Readings readings = drawReadings(drawSensor(prior, draw), 8, draw);
-  prior.offset_sigma_g = 0;
+  prior.offset_sigma_g.setZero();
   prior.cross_axis_sigma = 0;
   const AccelerometerFit result = fit(prior, readings);
   EXPECT_LT(result.offset_g.norm(), 1e-9);

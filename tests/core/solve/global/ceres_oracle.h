@@ -227,7 +227,7 @@ class CeresOracle {
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       if (problem_.readings[k].empty()) continue;
       Cell& cell = cells_[k];
-      addPrior<3>({a.offset_sigma_g, a.offset_sigma_g, a.offset_sigma_g}, 0, cell.offset.data());
+      addPrior<3>({a.offset_sigma_g.x(), a.offset_sigma_g.y(), a.offset_sigma_g.z()}, 0, cell.offset.data());
       std::array<double, 9> sigma{};
       sigma.fill(a.cross_axis_sigma);
       sigma[0] = sigma[4] = sigma[8] = a.scale_sigma;

@@ -134,7 +134,7 @@ TEST(EdgeRotation, PredictedDeviationAgreesWithSimulatedSensors) {
       Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();
       Eigen::Vector3d offset;
       for (int i = 0; i < 3; ++i) {
-        offset(i) = a.offset_sigma_g * normal(random);
+        offset(i) = a.offset_sigma_g[i] * normal(random);
         for (int j = 0; j < 3; ++j) gain(i, j) += (i == j ? a.scale_sigma : a.cross_axis_sigma) * normal(random);
       }
       g = ((gain * g).colwise() + offset).eval();
