@@ -140,6 +140,7 @@ class WireConnection {
     since_ = alive_ = now;
     rejected_when_alive_ = stream_.rejectedMessages();
     bytes_since_alive_ = 0;
+    is_first_frame_ = true;
     asked_ = now - options_.describe_every;
     has_asked_ = false;
     if (was_connected_) stream_.countReconnect();
@@ -162,6 +163,9 @@ class WireConnection {
     while (phase_ == Phase::Open) {
       std::optional<skinwire::Decoded> decoded = decoder_.next();
       if (!decoded) break;
+      // A serial port that is opened while the device sends begins in the middle of a frame.
+      const bool may_be_cut = std::exchange(is_first_frame_, false) && address_.kind == WireAddress::Kind::Serial;
+      if (may_be_cut && decoded->outcome == skinwire::DecodeOutcome::Broken) continue;
       onDecoded(std::move(*decoded));
     }
     if (phase_ == Phase::Open && !decoder_.stuck().empty())
@@ -361,6 +365,7 @@ class WireConnection {
   Clock::time_point since_;                ///< start of the phase
   Clock::time_point alive_;                ///< when something that makes sense came last
   std::uint64_t rejected_when_alive_ = 0;  ///< messages, up to then
+  bool is_first_frame_ = true;             ///< of this connection, the next one
   std::size_t bytes_since_alive_ = 0;
   Clock::time_point asked_;
   bool has_asked_ = false;  ///< since it was opened
