@@ -110,6 +110,15 @@ struct GapShareEstimate {
   double sigma = 0;  ///< 0 where it was given
 };
 
+/// The errors that all accelerometers of a patch have in common, accelerometer axes: a chip whose own errors alone
+/// would read y reads scale y + offset.
+struct LotEstimate {
+  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
+  Eigen::Vector3d offset_sigma_g = Eigen::Vector3d::Zero();  ///< 1 sigma
+  double scale = 1;
+  double scale_sigma = 0;  ///< 1 sigma, relative
+};
+
 /// Cells that are joined by links, in a frame of their own.
 struct PatchReconstruction {
   PatchId id;
@@ -121,6 +130,7 @@ struct PatchReconstruction {
   std::vector<CellPlacement> cells;           ///< in ascending order of ID
   std::vector<LinkEstimate> links;            ///< muted links too; a link between two patches is listed with its source
   std::optional<GapShareEstimate> gap_share;  ///< set by the global solver
+  std::optional<LotEstimate> lot;             ///< the same, where the cell model says that chips share errors
   // Null but for a fresh result of the global solver.
   std::shared_ptr<const PlacementCovariance> covariance;
   std::shared_ptr<const GravityCovariance> gravity_covariance;
