@@ -326,6 +326,7 @@ struct SimulatedSkin::State {
     chains.reserve(truth.size());
     for (std::size_t k = 0; k < truth.size(); ++k) {
       SE3 T_b_a = truth[k].T_b_u * model.accelerometer.T_u_a;
+      T_b_a.R = truth[k].T_b_u.R * truth[k].R_u_askew * model.accelerometer.T_u_a.R;
       if (!bending.empty()) T_b_a = bending[k] * T_b_a;
       chains.push_back({truth[k].gain * T_b_a.R.transpose(), truth[k].offset_g, T_b_a.t});
     }
@@ -336,6 +337,7 @@ struct SimulatedSkin::State {
 void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
   NormalSource jitter(randomStream(options.seed, Stream::Placement));
   NormalSource errors(randomStream(options.seed, Stream::Sensors));
+  NormalSource mounting(randomStream(options.seed, Stream::Mounting));
   const Accelerometer& accelerometer = model.accelerometer;
   // All chips are of one lot.
   NormalSource lot(randomStream(options.lot_seed.value_or(options.seed), Stream::Lot));
@@ -358,6 +360,7 @@ void SimulatedSkin::State::drawCells(const std::vector<SE3>& placements) {
         }
       }
       cell.gain *= shared_scale;
+      cell.R_u_askew = expSO3(model.mounting_sigma_rad * mounting.nextVector());
     }
     middle_b += cell.T_b_u.t / static_cast<double>(placements.size());
     truth.push_back(cell);

@@ -88,6 +88,7 @@ struct TrueCell {
   SE3 T_b_u;  ///< from the cell frame to the body frame
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
   Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();  ///< reading = gain * specific force + offset, but for faults
+  Eigen::Matrix3d R_u_askew = Eigen::Matrix3d::Identity();  ///< turn by which its chip sits askew, in the cell frame
 };
 
 /// Gets the frames of a recording one after the other.

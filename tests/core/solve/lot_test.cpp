@@ -1,4 +1,4 @@
-// Skins whose chips are of one lot: their accelerometers share an offset and a scale.
+// Skins of real chips: those of one lot share an offset and a scale, and each sits a little askew in its cell.
 
 #include "hexoderm/base/median.h"
 #include "hexoderm/base/units.h"
@@ -29,10 +29,12 @@ CellModel chips(double own_g, double shared_g, double shared_scale) {
 struct Outcome {
   std::vector<double> errors_rad;  ///< rms over the cells, per skin
   double squares = 0;              ///< of orientation errors in units of the stated sigma, mean of three axes
+  double squares_of_places = 0;    ///< the same of positions
   double cells = 0;
   std::size_t accused = 0;
   [[nodiscard]] double typicalError_deg() const { return toDegrees(median(errors_rad)); }
   [[nodiscard]] double normalisedSquare() const { return squares / cells; }
+  [[nodiscard]] double normalisedSquareOfPlaces() const { return squares_of_places / cells; }
 };
 
 /// Skins of chips of `real`, estimated by `believed`.
@@ -56,6 +58,8 @@ Outcome calibrate(const CellModel& real, const CellModel& believed, const std::s
       const Eigen::Vector3d error = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
       const Eigen::Matrix3d covariance = cell.cov_t_r->bottomRightCorner<3, 3>();
       outcome.squares += error.dot(covariance.ldlt().solve(error)) / 3;
+      const Eigen::Vector3d shift_m = cell.T_o_u.t - T_o_u.t;
+      outcome.squares_of_places += shift_m.dot(cell.cov_t_r->topLeftCorner<3, 3>().ldlt().solve(shift_m)) / 3;
       ++outcome.cells;
     }
   }
@@ -83,6 +87,22 @@ TEST(Lot, AccusesNoHealthyCellAndStatesWhatItKnows) {
         EXPECT_LT(outcome.normalisedSquare(), 1.6) << what;
       }
     }
+  }
+}
+
+TEST(Lot, OfChipsThatSitAskewIsKnownNoBetterThanTheirCells) {
+  CellModel model = chips(0.015, 0.05, 0.1);
+  model.mounting_sigma_rad = 1 * kDegree;
+  CellModel straight = model;
+  straight.mounting_sigma_rad = 0;
+  for (const char* patch : {"x17", "ring8:closed", "sheet:4x4"}) {
+    const Outcome outcome = calibrate(model, model, patch, 6);
+    EXPECT_EQ(outcome.accused, 0U) << patch;
+    for (const double square : {outcome.normalisedSquare(), outcome.normalisedSquareOfPlaces()}) {
+      EXPECT_GT(square, 0.6) << patch;
+      EXPECT_LT(square, 1.5) << patch;
+    }
+    EXPECT_GT(calibrate(model, straight, patch, 6).normalisedSquare(), 5) << patch;
   }
 }
 

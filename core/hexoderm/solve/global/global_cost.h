@@ -37,6 +37,10 @@ struct GlobalProblem {
   bool accelerations = false;     ///< every pose has an angular acceleration of its own
   double acceleration_sigma = 3;  ///< of its prior about zero, per axis, rad/s^2
   HuberLoss loss;
+  /// The matrix of the equations counts that chips sit askew in their cells (CellModel::mounting_sigma_rad), each by an
+  /// unknown turn of its own that is eliminated: it is that of what readings say about cells. The cost, its gradient
+  /// and its optimum are those of chips that sit straight.
+  bool with_mounting = false;
   /// For these cells and links, where it is known; one that is missing is made anew for each solution.
   std::shared_ptr<const EliminationPlan> elimination;
 
@@ -113,7 +117,8 @@ double closureCost(const GlobalProblem& problem, const GlobalState& state);
 /// Distance between the end points of a link, less the arc's share; metres.
 double linkOpening_m(const GlobalProblem& problem, const GlobalState& state, std::size_t link);
 
-/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's).
+/// jointCost() with its gradient (exact) and its Gauss-Newton matrix (of the eliminated problem: Kaufman's; with the
+/// chips' turns eliminated, where the problem is with_mounting).
 void linearize(const GlobalProblem& problem, const GlobalState& state, NormalEquations& equations,
                const LinearizeKernels& kernels = linearizeKernels());
 

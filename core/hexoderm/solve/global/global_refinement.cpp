@@ -196,7 +196,13 @@ std::size_t GlobalRefinement::localOf(std::size_t cell) const {
 
 void GlobalRefinement::solve(const std::stop_token& stop) {
   shape_.clear();
+  problem_->with_mounting = false;
   solveWithMotionCompensatedReadings(stop);
+  if (!stop.stop_requested() && problem_->model->mounting_sigma_rad > 0) {
+    problem_->with_mounting = true;
+    solution_.covariance.reset();  // its factor's memory serves the next
+    solution_.covariance = solver_->covarianceAt(*problem_, solution_.state);
+  }
   solver_->releaseWorkspace();  // there may be many patches
 }
 

@@ -2,6 +2,7 @@
 
 #include "hexoderm/base/units.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -197,6 +198,7 @@ class CellsInLanes {
     const std::size_t cell = of_lane_[lane];
     if (cell == problem_.cellCount()) return;
     equations_.cost += cost_(0, lane);
+    if (problem_.with_mounting && std::isfinite(cost_(0, lane))) eliminateMounting(lane);
     if (cell == problem_.origin) return;
     if (!std::isfinite(cost_(0, lane))) {  // so are its blocks, which no factorization takes
       equations_.cells[cell].setConstant(cost_(0, lane));
@@ -214,6 +216,33 @@ class CellsInLanes {
     }
     if (!problem_.estimatesLot()) return;
     equations_.border_cells.block<6, kLotUnknowns>(row, layout_.lot()) += lot_border_.get<6, kLotUnknowns>(lane);
+  }
+
+  /// A turn of the chip in its cell does to the readings what the same turn of the cell does, and nothing to its links:
+  /// what it takes from the information of a cell's readings is as with any unknown that is eliminated.
+  void eliminateMounting(std::size_t lane) {
+    const std::size_t cell = of_lane_[lane];
+    const auto row = static_cast<Eigen::Index>(6 * cell);
+    const std::size_t width = columns_ * problem_.poses;
+    Eigen::Matrix3Xd of_border = Eigen::Matrix3Xd::Zero(3, layout_.size());
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t column = 0; column < width; ++column) {
+        of_border(static_cast<Eigen::Index>(j), places_[column]) = border_((j + 3) * width + column, lane);
+      }
+    }
+    if (problem_.estimatesLot()) {
+      of_border.middleCols<kLotUnknowns>(layout_.lot()) = lot_border_.get<6, kLotUnknowns>(lane).bottomRows<3>();
+    }
+    const Eigen::Matrix<double, 3, 6> of_cell = matrix_.get<6, 6>(lane).bottomRows<3>();
+    Eigen::Matrix3d information = of_cell.rightCols<3>();
+    information.diagonal().array() += std::pow(problem_.model->mounting_sigma_rad, -2);
+    const Eigen::LLT<Eigen::Matrix3d> factor(information);
+    const Eigen::Matrix3Xd root_of_border = factor.matrixL().solve(of_border);
+    equations_.border.triangularView<Eigen::Lower>() -= root_of_border.transpose() * root_of_border;
+    if (cell == problem_.origin) return;
+    const Eigen::Matrix<double, 3, 6> root_of_cell = factor.matrixL().solve(of_cell);
+    equations_.cells[cell] -= root_of_cell.transpose() * root_of_cell;
+    equations_.border_cells.middleRows<6>(row) -= root_of_cell.transpose() * root_of_border;
   }
 
   /// In the border, of a pose's column.

@@ -14,6 +14,7 @@ GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const S
                                  const CellModel& perfect) {
   GlobalProblem with = problem;
   with.model = &perfect;
+  with.with_mounting = false;
   for (std::size_t cell = 0; cell < with.cellCount(); ++cell) {
     for (std::size_t k = 0; k < with.readings[cell].size(); ++k) {
       with.readings[cell][k].y_g = sensors[cell].v_g[k];

@@ -266,6 +266,43 @@ TEST(GlobalCost, MatrixIsTheHessianOfABentSkinWithoutElastomer) {
   for (const GapShare& gap : kGaps) expectHessian(exactRing(model, gap.mean), gap, 1e-9);
 }
 
+/// What one cell's readings alone add to the matrix, of all unknowns and with the cell's own place free.
+Eigen::MatrixXd informationOfReadings(const GlobalProblem& problem, const GlobalState& state, std::size_t cell) {
+  GlobalProblem alone = problem;
+  alone.links.clear();
+  alone.origin = cell == 0 ? 1 : 0;
+  for (std::size_t other = 0; other < alone.readings.size(); ++other) {
+    if (other != cell) alone.readings[other].clear();
+  }
+  return denseMatrix(alone, linearized(alone, state));
+}
+
+TEST(GlobalCost, MatrixWithMountingHasATurnOfEveryChipEliminated) {
+  GlobalCase example = simulatedCase(test::skinOptions("ring8:closed", "", 3), 3, kFitGap);
+  GlobalProblem& problem = example.problem;
+  problem.accelerations = true;
+  problem.readings[4].clear();
+  const GlobalState state = perturbed(problem, example.truth, 0.02, 0.0005, 7);
+  const NormalEquations straight = linearized(problem, state);
+  Eigen::MatrixXd expected = denseMatrix(problem, straight);
+  for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
+    const Eigen::MatrixXd of_cell = informationOfReadings(problem, state, cell);
+    const auto turn = static_cast<Eigen::Index>(6 * cell + 3);
+    Eigen::MatrixXd rows = of_cell.middleRows<3>(turn);
+    Eigen::Matrix3d information = rows.middleCols<3>(turn);
+    information.diagonal().array() += std::pow(example.model->mounting_sigma_rad, -2);
+    if (cell == problem.origin) rows.middleCols<6>(turn - 3).setZero();
+    expected -= rows.transpose() * information.ldlt().solve(rows);
+  }
+  problem.with_mounting = true;
+  const NormalEquations askew = linearized(problem, state);
+  const Eigen::VectorXd scale = scaleOf(expected);
+  const Eigen::MatrixXd error = scale.asDiagonal() * (denseMatrix(problem, askew) - expected) * scale.asDiagonal();
+  EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_EQ(askew.cost, straight.cost);
+  EXPECT_EQ(gradientOf(askew), gradientOf(straight));
+}
+
 TEST(GlobalCost, ExactLinksAndReadingsCostOnlyWhatTheElastomerPriorAsks) {
   CellModel model = builtInCellModel("hex-bma150");
   model.bend_sigma_rad = 0.5;
