@@ -2868,8 +2868,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Zelle {0} misst {2} weniger als {1}; diese Messwerte werden nicht benutzt.</translation>
     </message>
     <message>
-        <source>Cell {} reads up to {} {}, expected 1000 mg +- {}; these readings are not used.</source>
-        <translation>Zelle {0} misst {2} bis zu {1}, erwartet sind 1000 mg ± {3}; diese Messwerte werden nicht benutzt.</translation>
+        <source>Cell {} reads up to {} {}, expected {} +- {}; these readings are not used.</source>
+        <translation>Zelle {0} misst {2} bis zu {1}, erwartet sind {3} ± {4}; diese Messwerte werden nicht benutzt.</translation>
     </message>
     <message>
         <source>In pose {} the readings of most cells scatter by {}: the part was probably moving. Take the pose again.</source>

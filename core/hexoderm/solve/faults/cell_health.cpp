@@ -53,7 +53,8 @@ class Judge {
   void run() {
     findMissing();
     for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) findDeadAxis(cell);
-    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) judgeReadings(cell);
+    const double expected_g = normOfLot_g();
+    for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) judgeReadings(cell, expected_g);
     findIdentical();
     for (const std::size_t pose : table_.enabledPoses()) judgeScatter(pose);
     findStuck();
@@ -287,14 +288,27 @@ class Judge {
     }
   }
 
+  /// How much the skin's lot reads of 1 g: what most of its readings do, as far as the cell model allows.
+  [[nodiscard]] double normOfLot_g() const {
+    const double allowed = 5 * snapshot_.model->accelerometer.scale_shared_sigma;
+    std::vector<double> norms;
+    for (const std::size_t pose : table_.enabledPoses()) {
+      for (std::size_t cell = 0; cell < table_.cellCount(); ++cell) {
+        if (table_.at(cell, pose).usable) norms.push_back(table_.at(cell, pose).mean_g.norm());
+      }
+    }
+    return norms.empty() ? 1 : std::clamp(median(std::move(norms)), 1 - allowed, 1 + allowed);
+  }
+
   /// Range and norm: a reading that can't be gravity is not used.
-  void judgeReadings(std::size_t cell) {
-    const Accelerometer a = snapshot_.model->accelerometer.ofUnknownLot();
-    const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(a.largestOffsetSigma_g(), a.scale_sigma));
+  void judgeReadings(std::size_t cell, double expected_g) {
+    const Accelerometer& a = snapshot_.model->accelerometer;
+    const double offset_g = a.ofUnknownLot().largestOffsetSigma_g();
+    const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(offset_g, a.scale_sigma));
     std::vector<std::size_t> saturated;
     std::vector<std::size_t> dead;
     std::vector<std::size_t> off_norm;
-    double worst_norm = 1;
+    double worst_norm = expected_g;
     std::size_t measured = 0;
     for (const std::size_t pose : table_.enabledPoses()) {
       GravityTable::Entry& entry = table_.at(cell, pose);
@@ -305,9 +319,9 @@ class Judge {
         saturated.push_back(pose);
       } else if (norm < kDeadNorm_g) {
         dead.push_back(pose);
-      } else if (std::abs(norm - 1) > tolerance) {
+      } else if (std::abs(norm - expected_g) > tolerance) {
         off_norm.push_back(pose);
-        if (std::abs(norm - 1) > std::abs(worst_norm - 1)) worst_norm = norm;
+        if (std::abs(norm - expected_g) > std::abs(worst_norm - expected_g)) worst_norm = norm;
       } else {
         continue;
       }
@@ -337,8 +351,8 @@ class Judge {
       const std::vector<PoseId> poses = poseIds(off_norm);
       findings_.push_back(
           makeFinding(FindingCode::WrongNorm,
-                      message("Cell {} reads up to {} {}, expected 1000 mg +- {}; these readings are not used.",
-                              id(cell), MilliG{worst_norm}, inPoses(poses), MilliG{tolerance}),
+                      message("Cell {} reads up to {} {}, expected {} +- {}; these readings are not used.", id(cell),
+                              MilliG{worst_norm}, inPoses(poses), MilliG{expected_g}, MilliG{tolerance}),
                       {id(cell)}, {}, poses));
     }
   }
