@@ -321,6 +321,13 @@ Json toJson(const Assessment& verdict) {
           {"next_action", verdict.next_action.english()}};
 }
 
+Json toJson(const LotEstimate& lot) {
+  return {{"offset_g", listOf(lot.offset_g)},
+          {"offset_sigma_g", listOf(lot.offset_sigma_g)},
+          {"scale", lot.scale},
+          {"scale_sigma", lot.scale_sigma}};
+}
+
 Json toJson(const std::vector<ProtocolViolation>& offences) {
   return arrayOf(offences, [](const ProtocolViolation& offence) -> Json {
     return {{"kind", offenceName(offence.kind)},

@@ -220,6 +220,7 @@ void printFindings(const std::vector<Finding>& findings);
 void printVerdict(const Assessment& verdict);
 Json toJson(const Finding& finding);
 Json toJson(const Assessment& verdict);
+Json toJson(const LotEstimate& lot);
 Json toJson(const std::vector<Finding>& findings);
 Json toJson(const std::vector<ProtocolViolation>& offences);
 void printJson(const Json& json);

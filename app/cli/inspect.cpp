@@ -1,5 +1,6 @@
 #include "app/cli/command.h"
 
+#include "hexoderm/solve/metrics/review_summary.h"
 #include "hexoderm/solve/reconstructor.h"
 
 #include <iostream>
@@ -23,7 +24,10 @@ std::size_t freePorts(const Reconstruction& r) {
 
 Json describe(const Reconstruction& r, const std::string& kind) {
   const auto patch_json = [](const PatchReconstruction& patch) -> Json {
-    return {{"id", patch.id.value()}, {"cells", patch.cells.size()}, {"origin", patch.origin.value()}};
+    return {{"id", patch.id.value()},
+            {"cells", patch.cells.size()},
+            {"origin", patch.origin.value()},
+            {"lot", patch.lot ? cli::toJson(*patch.lot) : Json()}};
   };
   const auto pose_json = [](const PoseSummary& pose) {
     Json json = {{"id", pose.pose.value()},
@@ -54,6 +58,7 @@ void print(const Reconstruction& r, const std::string& path, const std::string& 
   for (const PatchReconstruction& patch : r.patches) {
     std::cout << "  patch " << patch.id << ": " << counted(patch.cells.size(), "cell") << ", origin cell "
               << patch.origin << '\n';
+    if (patch.lot) std::cout << "    lot: " << lotText(*patch.lot) << '\n';
   }
   std::cout << "Poses: " << r.poses.size() << '\n';
   for (const PoseSummary& pose : r.poses) {

@@ -3,6 +3,7 @@
 
 #include "hexoderm/base/enum_names.h"
 #include "hexoderm/base/text.h"
+#include "hexoderm/solve/metrics/review_summary.h"
 #include "hexoderm/solve/sensor_statistics.h"
 
 #include <iostream>
@@ -51,16 +52,10 @@ void print(const SensorStatistics& statistics, const Accelerometer& model, std::
   const SensorSigmas& sigmas = statistics.sigmas;
   printSigma("offset", sigmas.offset_g, model.ofUnknownLot().largestOffsetSigma_g(), kMilliG);
   printSigma("  of it shared", sigmas.shared_offset_g, model.offset_shared_sigma_g, kMilliG);
-  printSigma("scale", sigmas.scale, model.ofUnknownLot().scale_sigma, kPercent);
+  printSigma("own scale", sigmas.scale, model.scale_sigma, kPercent);
+  printSigma("shared scale", sigmas.shared_scale, model.scale_shared_sigma, kPercent);
   printSigma("cross-axis", sigmas.cross_axis, model.cross_axis_sigma, kPercent);
-  if (!sigmas.lot) return;
-  std::cout << "Offset that all have in common:";
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::cout << (axis == 0 ? " " : ", ") << "xyz"[axis] << ' '
-              << formatFixed(sigmas.lot->offset_g[axis] * kMilliG.factor, 1) << " +- "
-              << formatFixed(sigmas.lot->sigma_g[axis] * kMilliG.factor, 1);
-  }
-  std::cout << " mg (1 sigma)\n";
+  if (sigmas.lot) std::cout << "In common to all: " << lotText(*sigmas.lot) << '\n';
 }
 
 Json toJson(const SigmaEstimate& estimate, double model_sigma) {
@@ -75,9 +70,6 @@ Json toJson(const SigmaEstimate& estimate, double model_sigma) {
 
 Json toJson(const SensorStatistics& statistics, const Accelerometer& model, const SensorsOptions& options) {
   const SensorSigmas& sigmas = statistics.sigmas;
-  const auto lot_json = [](const auto& lot) -> Json {
-    return {{"offset_g", listOf(lot.offset_g)}, {"sigma_g", listOf(lot.sigma_g)}};
-  };
   return {{"sessions", options.inputs},
           {"cells", statistics.cells},
           {"cells_used", statistics.cells_used},
@@ -86,9 +78,10 @@ Json toJson(const SensorStatistics& statistics, const Accelerometer& model, cons
           {"settled", statistics.settled},
           {"offset_g", toJson(sigmas.offset_g, model.ofUnknownLot().largestOffsetSigma_g())},
           {"shared_offset_g", toJson(sigmas.shared_offset_g, model.offset_shared_sigma_g)},
-          {"scale", toJson(sigmas.scale, model.ofUnknownLot().scale_sigma)},
+          {"scale", toJson(sigmas.scale, model.scale_sigma)},
+          {"shared_scale", toJson(sigmas.shared_scale, model.scale_shared_sigma)},
           {"cross_axis", toJson(sigmas.cross_axis, model.cross_axis_sigma)},
-          {"lot", orNull(sigmas.lot, lot_json)},
+          {"lot", sigmas.lot ? cli::toJson(*sigmas.lot) : Json()},
           {"file", options.output.empty() ? Json() : Json(options.output)}};
 }
 

@@ -6,6 +6,7 @@
 #include "hexoderm/base/system_reason.h"
 #include "hexoderm/io/calibration_json.h"
 #include "hexoderm/solve/checks/evaluation.h"
+#include "hexoderm/solve/metrics/review_summary.h"
 #include "hexoderm/solve/reconstructor.h"
 
 #include <algorithm>
@@ -341,6 +342,7 @@ void printSummary(const Reconstruction& r, const Session& session) {
                 << formatFixed(patch.gap_share->sigma, 2) << " (0 pivot, 1 arc)";
     }
     std::cout << '\n';
+    if (patch.lot) std::cout << "  lot: " << lotText(*patch.lot) << '\n';
   }
   if (session.truth()) {
     for (const Comparison& comparison : compareToTruth(r, *session.truth())) {

@@ -1,6 +1,7 @@
 #include "app/python/bindings.h"
 
 #include "hexoderm/base/error.h"
+#include "hexoderm/solve/metrics/review_summary.h"
 
 namespace hexoderm::python {
 namespace {
@@ -68,10 +69,20 @@ void bindSensor(py::module_& module) {
       .def("__repr__", [](const SensorPlacement& sensor) { return "<Sensor " + sensor.name + ">"; });
 }
 
+void bindLot(py::module_& module) {
+  py::class_<LotEstimate>(module, "Lot", "The errors that all accelerometers of a patch have in common, in their axes.")
+      .def_readonly("offset", &LotEstimate::offset_g, "(3,), g.")
+      .def_readonly("offset_sigma", &LotEstimate::offset_sigma_g, "(3,): its standard deviation an axis, g.")
+      .def_readonly("scale", &LotEstimate::scale, "Of all axes.")
+      .def_readonly("scale_sigma", &LotEstimate::scale_sigma, "Its standard deviation, relative.")
+      .def("__repr__", [](const LotEstimate& lot) { return "<Lot: " + lotText(lot).english() + ">"; });
+}
+
 }  // namespace
 
 void bindPatch(py::module_& module) {
   bindLink(module);
+  bindLot(module);
   bindSensor(module);
   const auto of_cells = [](auto get) {
     return [get](const PatchReconstruction& self) { return stacked(self.cells, get); };
@@ -109,6 +120,9 @@ void bindPatch(py::module_& module) {
           "(N, 3): estimated offsets of the accelerometers, g, along their axes; NaN where there are none.")
       .def_property_readonly("scales", of_cells(&CellPlacement::accel_scale),
                              "(N, 3): their scales, reading = scale * force + offset; NaN where there are none.")
+      .def_readonly("lot", &PatchReconstruction::lot,
+                    "What its accelerometers have in common, which `offsets` and `scales` count too. None where it is\n"
+                    "not estimated: the cell model says of no lot, or the tree solved.")
       .def_property_readonly(
           "gravity", [](const PatchReconstruction& self) { return stacked(self.gravity, &GravityDirection::g_o); },
           "(poses, 3): unit vectors that point up, in the order of `gravity_poses`.")

@@ -7189,6 +7189,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>three angles within {} rad, separated by blanks</source>
         <translation>drei Winkel, dem Betrag nach höchstens {} rad, durch Leerzeichen getrennt</translation>
     </message>
+    <message>
+        <source>offset {}, {}, {} +- {} mg, scale {} +- {} (1 sigma)</source>
+        <translation>Offset {}, {}, {} ± {} mg, Skalierung {} ± {} (1 Sigma)</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
@@ -9625,6 +9629,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
         <source>Those with the largest figures; %1 more are in the window.</source>
         <translation>Die mit den größten Werten; %1 weitere stehen im Fenster.</translation>
     </message>
+    <message>
+        <source>Lot of accelerometers, patch of cell %1</source>
+        <translation>Charge der Sensoren, Hautstück der Zelle %1</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::ReportPatch</name>
@@ -11663,6 +11671,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Worst link: %1, residual %2, predicted deviation %3</source>
         <translation>Schlechteste Verbindung: %1, Restfehler %2, erwartete Abweichung %3</translation>
+    </message>
+    <message>
+        <source>Shared by its lot: %1</source>
+        <translation>Davon der ganzen Charge gemeinsam: %1</translation>
     </message>
 </context>
 <context>

@@ -30,6 +30,7 @@ inline Reconstruction richCalibration() {
   result.options.left_out = {CellId(5), CellId(2)};
   PatchReconstruction& patch = result.patches.at(0);
   patch.gap_share = {1.0 / 3, 0.123456789};
+  patch.lot = {{0.03, -1.0 / 7, 1e-9}, {0.002, 1.0 / 300, 0}, 0.9 + 1.0 / 9, 1.0 / 700};
   patch.cells.at(1).placed_by = PlacedBy::Links;
   patch.cells.at(1).cov_t_r = someCovariance();
   patch.cells.at(1).accel_offset_g = {0.06, -1.0 / 3, 1e-9};

@@ -1,6 +1,7 @@
 #include "widgets/words/formatting.h"
 
 #include "hexoderm/base/units.h"
+#include "hexoderm/solve/metrics/review_summary.h"
 #include "hexoderm/solve/result/reconstruction.h"
 #include "widgets/style/of_enum.h"
 #include "widgets/style/palette.h"
@@ -229,8 +230,10 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell, LinksOfCe
   if (placement->accel_offset_g) {
     lines << Words::tr("Accelerometer offset %1 mg").arg(threeNumbers(1e3 * *placement->accel_offset_g, 0));
   }
-  if (placement->accel_scale)
+  if (placement->accel_scale) {
     lines << Words::tr("Accelerometer scale %1").arg(threeNumbers(*placement->accel_scale, 3));
+    if (patch->lot) lines << Words::tr("Shared by its lot: %1").arg(words(lotText(*patch->lot)));
+  }
   for (const Finding& finding : reconstruction.findings) {
     constexpr std::size_t kMaxCells = 4;  // one that names half of the skin is not about this cell
     if (finding.severity == Severity::Info || finding.cells.size() > kMaxCells) continue;

@@ -16,6 +16,6 @@ from ._core import __version__ as __version__
 __all__ = [
     "built_in_cell_models", "export_formats", "export_options", "read", "read_calibration", "read_session",
     "simulate", "simulate_robot", "solve", "Calibration", "Capture", "CellModel", "Comparison", "DeviceError",
-    "Error", "Exported", "Finding", "FormatError", "InvalidArgument", "Link", "Patch", "PatchOnLink", "Pose",
+    "Error", "Exported", "Finding", "FormatError", "InvalidArgument", "Link", "Lot", "Patch", "PatchOnLink", "Pose",
     "Sensor", "Session", "StorageError", "Verdict",
 ]

@@ -529,12 +529,17 @@ class ReportPage {
         {tr("Limit of misfit"), tr("%1 standard deviations").arg(locale.toString(options.max_misfit, 'f', 1))},
         {tr("Cells left out"), left_out.isEmpty() ? tr("none") : left_out.join(QStringLiteral(", "))}};
     for (const PatchReconstruction& patch : result_.patches) {
-      if (!patch.gap_share) continue;
-      rows.emplace_back(tr("Gap share, patch of cell %1").arg(patch.origin.value()),
-                        patch.gap_share->sigma > 0 ? tr("%1 ± %2 (1 sigma)")
-                                                         .arg(locale.toString(patch.gap_share->share, 'f', 2),
-                                                              locale.toString(patch.gap_share->sigma, 'f', 2))
-                                                   : locale.toString(patch.gap_share->share, 'f', 2));
+      if (patch.gap_share) {
+        rows.emplace_back(tr("Gap share, patch of cell %1").arg(patch.origin.value()),
+                          patch.gap_share->sigma > 0 ? tr("%1 ± %2 (1 sigma)")
+                                                           .arg(locale.toString(patch.gap_share->share, 'f', 2),
+                                                                locale.toString(patch.gap_share->sigma, 'f', 2))
+                                                     : locale.toString(patch.gap_share->share, 'f', 2));
+      }
+      if (patch.lot) {
+        rows.emplace_back(tr("Lot of accelerometers, patch of cell %1").arg(patch.origin.value()),
+                          words(lotText(*patch.lot)));
+      }
     }
     document_.blocks.emplace_back(ReportPairs{std::move(rows)});
   }

@@ -160,21 +160,31 @@ void gravityFields(Json& json, Gravity& gravity) {
   }
 }
 
+template <class Json, class Lot>
+void lotFields(Json& json, Lot& lot) {
+  json.object(requiredField("offset_g", lot.offset_g, vectorWithin(kMaxAcceleration_g)),
+              requiredField("offset_sigma_g", lot.offset_sigma_g, kNonNegativeVector),
+              requiredField("scale", lot.scale, kPositive),
+              requiredField("scale_sigma", lot.scale_sigma, kNonNegative));
+}
+
 template <class Json, class Patch>
 void patchFields(Json& json, Patch& patch) {
   const auto gravity = [](auto& item, auto& in_pose) { gravityFields(item, in_pose); };
   const auto cell = [](auto& item, auto& of_patch) { cellFields(item, of_patch); };
   const auto link = [](auto& item, auto& of_patch) { linkFields(item, of_patch); };
+  const auto lot = [](auto& item, auto& of_patch) { lotFields(item, of_patch); };
   std::optional<double> share;
   std::optional<double> sigma;
   if (patch.gap_share) {
     share = patch.gap_share->share;
     sigma = patch.gap_share->sigma;
   }
-  json.object(
-      requiredField("id", patch.id), requiredField("origin", patch.origin), optionalField("gap_s", share),
-      optionalField("gap_s_sigma", sigma, kNonNegative), requiredField("gravity", patch.gravity, Described{gravity}),
-      requiredField("cells", patch.cells, Described{cell}), requiredField("links", patch.links, Described{link}));
+  json.object(requiredField("id", patch.id), requiredField("origin", patch.origin), optionalField("gap_s", share),
+              optionalField("gap_s_sigma", sigma, kNonNegative), optionalField("lot", patch.lot, Described{lot}),
+              requiredField("gravity", patch.gravity, Described{gravity}),
+              requiredField("cells", patch.cells, Described{cell}),
+              requiredField("links", patch.links, Described{link}));
   if constexpr (kIsRead<Json>) {
     if (share) patch.gap_share = GapShareEstimate{*share, sigma.value_or(0)};
   }

@@ -64,7 +64,8 @@ bool isSettled(const Accelerometer& before, const Accelerometer& after) {
   constexpr double kSettled = 0.01;
   const auto same = [](double a, double b) { return std::abs(a - b) <= kSettled * a; };
   return same(before.ofUnknownLot().largestOffsetSigma_g(), after.ofUnknownLot().largestOffsetSigma_g()) &&
-         same(before.scale_sigma, after.scale_sigma) && same(before.cross_axis_sigma, after.cross_axis_sigma);
+         same(before.scale_sigma, after.scale_sigma) && same(before.scale_shared_sigma, after.scale_shared_sigma) &&
+         same(before.cross_axis_sigma, after.cross_axis_sigma);
 }
 
 void requireOneModel(std::span<const std::shared_ptr<const SessionSnapshot>> sessions) {

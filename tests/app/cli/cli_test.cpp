@@ -44,6 +44,16 @@ TEST_F(Cli, InspectSaysWhatSolveSaysUnlessItIsAskedToBeQuick) {
   EXPECT_THAT(run("inspect ring.session.json").out, Not(HasSubstr("--solver global")));
 }
 
+TEST_F(Cli, WhatChipsOfALotShareIsStated) {
+  run("simulate --poses 4 --offset-sigma 15 --lot 50,10 -o arm.session.json");
+  EXPECT_THAT(outputOf("solve arm.session.json -o arm.calibration.json"), HasSubstr("  lot: offset "));
+  EXPECT_THAT(outputOf("inspect arm.calibration.json"), HasSubstr("    lot: offset "));
+  const nlohmann::json lot = jsonOf("inspect arm.calibration.json --json").at("patches").at(0).at("lot");
+  EXPECT_EQ(lot, nlohmann::json::parse(readFile(path("arm.calibration.json"))).at("patches").at(0).at("lot"));
+  EXPECT_EQ(lot.size(), 4U);
+  EXPECT_TRUE(jsonOf("inspect --solver tree arm.session.json --json").at("patches").at(0).at("lot").is_null());
+}
+
 TEST_F(Cli, SensorsOfASessionBecomeACellModelForTheNext) {
   EXPECT_EQ(run("simulate --poses 6 --seed 4 --offset-sigma 20 -o arm.session.json").exit_code, 0);
   EXPECT_THAT(outputOf("sensors arm.session.json -o chip.json"),

@@ -112,6 +112,19 @@ class Solutions(unittest.TestCase):
         self.assertEqual(self.patch.offsets.shape, (17, 3))
         self.assertTrue(self.patch.measured.all())
 
+    def test_what_chips_of_a_lot_share(self):
+        chip = json.loads(hexoderm.CellModel.load("hex-bma150").to_json())
+        chip["accelerometer"].update(offset_sigma_g=0.015, offset_shared_sigma_g=0.05, scale_shared_sigma=0.1)
+        model = hexoderm.CellModel.from_json(json.dumps(chip))
+        patch = hexoderm.solve(hexoderm.simulate(poses=6, cell_model=model)).patches[0]
+        # The cells' own errors are those of the whole.
+        np.testing.assert_allclose(patch.lot.offset, patch.offsets.mean(axis=0), atol=0.01)
+        self.assertAlmostEqual(patch.lot.scale, patch.scales.mean(), delta=0.01)
+        self.assertTrue((patch.lot.offset_sigma < 0.01).all() and (patch.lot.offset_sigma > 0).all())
+        self.assertTrue(0 < patch.lot.scale_sigma < 0.02)
+        self.assertRegex(repr(patch.lot), r"<Lot: offset .* mg, scale .* \(1 sigma\)>")
+        self.assertIsNone(hexoderm.solve(self.session, solver="tree").patches[0].lot)
+
     def test_findings_and_verdict(self):
         self.assertEqual((self.calibration.verdict.level, self.calibration.findings), ("good", []))
         calibration = hexoderm.solve(hexoderm.simulate(poses=3, faults=["dead:5"]))

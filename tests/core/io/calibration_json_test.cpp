@@ -208,7 +208,7 @@ TEST(CalibrationJson, StatesTheGapShareOfTheLargestPatch) {
 TEST(CalibrationJson, ReadsFilesWithoutWhatWeAdd) {
   nlohmann::json json = richJson();
   for (const char* key : {"poses", "gap_model", "gap_s"}) json.erase(key);
-  for (const char* key : {"gap_s", "gap_s_sigma"}) json["patches"][0].erase(key);
+  for (const char* key : {"gap_s", "gap_s_sigma", "lot"}) json["patches"][0].erase(key);
   json["verdict"].erase("position_95_mm");
   for (nlohmann::json& link : json["patches"][0]["links"]) {
     for (const char* key : {"centred", "supported", "in_tree", "pose_residual_deg"}) link.erase(key);
@@ -220,6 +220,7 @@ TEST(CalibrationJson, ReadsFilesWithoutWhatWeAdd) {
   const auto back = parseCalibrationJson(json.dump(), "c.json");
   EXPECT_EQ(back->options.gap_model, GapModel::Fit) << "the default";
   EXPECT_FALSE(back->patches[0].gap_share.has_value());
+  EXPECT_FALSE(back->patches[0].lot.has_value());
   EXPECT_FALSE(back->patches[0].cells[1].accel_offset_g.has_value());
   EXPECT_FALSE(back->patches[0].cells[1].accel_scale.has_value());
   ASSERT_EQ(back->poses.size(), 2U) << "those that the gravity directions name";

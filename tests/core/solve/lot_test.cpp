@@ -7,6 +7,7 @@
 #include "tests/support/matchers.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
+#include "tests/support/solvers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,6 +105,61 @@ TEST(Lot, OfChipsThatSitAskewIsKnownNoBetterThanTheirCells) {
     }
     EXPECT_GT(calibrate(model, straight, patch, 6).normalisedSquare(), 5) << patch;
   }
+}
+
+TEST(Lot, IsStatedWithItsUncertainty) {
+  const CellModel real = chips(0.015, 0.05, 0.1);
+  CellModel alike = chips(0, 0.05, 0.1);  // the same lots, of chips that have no errors of their own
+  alike.accelerometer.scale_sigma = alike.accelerometer.cross_axis_sigma = 0;
+  double squares = 0;
+  for (std::uint64_t seed = 1; seed <= kLots; ++seed) {
+    SimulatedSkin skin(real, test::skinOptions("x17", "", seed));
+    const SimulatedSkin same_lot(alike, test::skinOptions("x17", "", seed));
+    const TrueCell& truth = same_lot.truth().front();
+    const auto result = reconstruct(*simulateSession(skin, 4).snapshot());
+    const LotEstimate& lot = result->patches.front().lot.value();
+    squares += (lot.offset_g - truth.offset_g).cwiseQuotient(lot.offset_sigma_g).squaredNorm() / 4;
+    squares += std::pow(std::log(lot.scale / truth.gain(0, 0)) / lot.scale_sigma, 2) / 4;
+    EXPECT_LT(lot.offset_sigma_g.maxCoeff(), 0.015) << seed;
+    EXPECT_LT(lot.scale_sigma, 0.02) << seed;
+  }
+  EXPECT_GT(squares, 0.6 * kLots);
+  EXPECT_LT(squares, 1.6 * kLots);
+}
+
+TEST(Lot, IsAllOfChipsThatAreAlike) {
+  CellModel model = chips(0, 0.05, 0.1);
+  model.accelerometer.scale_sigma = model.accelerometer.cross_axis_sigma = 0;
+  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
+  options.sensor_errors = true;
+  SimulatedSkin skin(model, options);
+  const TrueCell& truth = skin.truth().front();
+  const auto result = reconstruct(*simulateSession(skin, 6).snapshot());
+  const PatchReconstruction& patch = result->patches.front();
+  ASSERT_TRUE(patch.lot);
+  EXPECT_LT((patch.lot->offset_g - truth.offset_g).norm(), 1e-4);
+  EXPECT_NEAR(patch.lot->scale, truth.gain(0, 0), 1e-4);
+  // What a cell's chip reads by as a whole holds the lot's part.
+  for (const CellPlacement& cell : patch.cells) {
+    EXPECT_LT((*cell.accel_offset_g - truth.offset_g).norm(), 1e-4);
+    EXPECT_LT((cell.accel_scale->array() - truth.gain(0, 0)).matrix().norm(), 1e-4);
+  }
+}
+
+TEST(Lot, IsWhatTheModelSaysWithoutAPoseAndNotStatedWhereNobodyEstimatesIt) {
+  const CellModel model = chips(0.015, 0.05, 0.1);
+  SimulatedSkin skin(model, test::skinOptions("x17"));
+  const auto unread = reconstruct(*simulateSession(skin, 0).snapshot());
+  const LotEstimate& lot = unread->patches.front().lot.value();
+  EXPECT_EQ(lot.offset_g, Eigen::Vector3d::Zero());
+  EXPECT_EQ(lot.scale, 1);
+  EXPECT_TRUE(lot.offset_sigma_g.isApproxToConstant(0.05, 1e-9));
+  EXPECT_NEAR(lot.scale_sigma, 0.1, 1e-9);
+  const Session session = simulateSession(skin, 2);
+  EXPECT_FALSE(reconstruct(*session.snapshot(), test::by(Solver::Tree))->patches.front().lot);
+  Session without = session;
+  without.setSkin(chips(0.05, 0, 0), session.neighbors());
+  EXPECT_FALSE(reconstruct(*without.snapshot())->patches.front().lot);
 }
 
 TEST(Lot, OfTheTreeIsCountedInItsLinks) {

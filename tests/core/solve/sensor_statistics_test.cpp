@@ -124,6 +124,30 @@ TEST(SensorStatistics, TheOffsetOfALotIsFound) {
   EXPECT_GE(within, 0.85 * seeds) << "three numbers of each lot";
 }
 
+TEST(SensorStatistics, TheScaleOfALotIsToldFromThatOfItsChips) {
+  const CellModel believed = builtInCellModel("hex-bma150");
+  CellModel real = modelWith(0.03, 0, 0.005, 0.005);
+  real.accelerometer.scale_shared_sigma = 0.1;
+  for (std::uint64_t seed = 1; seed <= (kSlowBuild ? 1 : 5); ++seed) {
+    SCOPED_TRACE(seed);
+    const SimulatedSkin skin(real, test::skinOptions("x17", "", seed));
+    double scale = 0;
+    for (const TrueCell& cell : skin.truth()) {
+      scale += cell.gain.trace() / 3 / static_cast<double>(skin.truth().size());
+    }
+    const auto statistics = estimateSensorStatistics(Snapshots{simulate(real, believed, {.seed = seed})});
+    const SensorSigmas& sigmas = statistics->sigmas;
+    ASSERT_EQ(sigmas.scale.knowledge, SigmaKnowledge::Measured);
+    EXPECT_LE(sigmas.scale.low_95, 0.005);
+    EXPECT_GE(sigmas.scale.high_95, 0.005);
+    ASSERT_TRUE(sigmas.lot);
+    EXPECT_NEAR(sigmas.lot->scale, scale, 0.01);
+    const Accelerometer& written = statistics->model.accelerometer;
+    EXPECT_NEAR(written.scale_shared_sigma, std::abs(scale - 1), 0.01);
+    EXPECT_LT(written.scale_sigma, 0.015);
+  }
+}
+
 TEST(SensorStatistics, OnePoseTellsNothingAndTwoNothingOfTheAxes) {
   const CellModel model = builtInCellModel("hex-bma150");
   const auto statistics = estimateSensorStatistics(Snapshots{simulate(model, model, {.poses = 1})});

@@ -182,6 +182,7 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsMetrics) {
   placement.T_o_u = {rotationFromRpy({0.1, -0.2, 0.3}), {0.0123, -0.004, 0.00002}};
   placement.accel_offset_g = Eigen::Vector3d(0.061, -0.012, 0);
   placement.accel_scale = Eigen::Vector3d(1.01, 0.98, 1);
+  result->patches[0].lot = {{0.03, -0.0101, 0}, {0.001, 0.002, 0.001}, 1.01, 0.004};
   const auto comeBefore = [&](std::initializer_list<std::uint32_t> path) {
     for (auto next = path.begin() + 1; next != path.end(); ++next) {
       result->patches[0].cells[*next - 1].predecessor = CellId(*(next - 1));
@@ -194,7 +195,8 @@ TEST_F(GraphColorsTest, TheToolTipOfACellHasAllItsMetrics) {
               HasTexts({"Cell 13", "Patch 1", "On fore&lt;arm&gt;", "Placed by its own readings",
                         "At 12.3; −4.0; 0.0 mm", "Roll 5.7°, pitch −11.5°, yaw 17.2°", "Known to ±0.2 mm",
                         "Path from the origin: 1 → 5 → 9 → 13 (3 links)", "Accelerometer offset 61; −12; 0 mg",
-                        "Accelerometer scale 1.010; 0.980; 1.000"}));
+                        "Accelerometer scale 1.010; 0.980; 1.000",
+                        "Shared by its lot: offset 30.0, −10.1, 0.0 ± 2.0 mg, scale 1.010 ± 0.004 (1 sigma)"}));
   EXPECT_THAT(toolTipAt(cell(1)), HasText("Origin of patch 1"));
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   EXPECT_THAT(toolTipAt(cell(13)), HasText("12,3; −4,0; 0,0 mm"));

@@ -175,6 +175,11 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
     for (std::size_t k = 0; k < shape.size(); ++k) result.cells[k].shape_cov_t_r = shape[k];
     result.gravity = jointGravity(skin, *joint);
     result.gap_share = GapShareEstimate{solution.state.gap_share, solution.covariance->gapShareSigma()};
+    if (joint->problem().estimatesLot()) {
+      const SensorLot& lot = joint->lot();
+      const Eigen::Vector4d sigmas = solution.covariance->lotSigmas();
+      result.lot = LotEstimate{lot.offset_g, lot.scale * sigmas.head<3>(), lot.scale, sigmas[3]};
+    }
     result.covariance = joint->placementCovariance(skin.graph());
     result.gravity_covariance = joint->gravityCovariance();
   } else {

@@ -165,6 +165,10 @@ Eigen::Matrix3d GlobalCovariance::acceleration(std::size_t pose) const {
   return border().block<3, 3>(at, at);
 }
 
+Eigen::Vector4d GlobalCovariance::lotSigmas() const {
+  return border().diagonal().segment<kLotUnknowns>(layout_.lot()).cwiseSqrt();
+}
+
 double GlobalCovariance::gapShareSigma() const {
   return estimates_gap_share_ ? std::sqrt(border()(layout_.gapShare(), layout_.gapShare())) : 0;
 }

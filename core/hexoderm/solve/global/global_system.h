@@ -39,7 +39,8 @@ class GlobalCovariance {
   [[nodiscard]] Eigen::Matrix3d forces(std::size_t a, std::size_t b) const;
   /// Covariance of the angular acceleration of a pose, patch frame, (rad/s^2)^2; only if they are estimated.
   [[nodiscard]] Eigen::Matrix3d acceleration(std::size_t pose) const;
-  [[nodiscard]] double gapShareSigma() const;  ///< 0 if it is not estimated
+  [[nodiscard]] Eigen::Vector4d lotSigmas() const;  ///< of BorderLayout::lot(); only if it is estimated
+  [[nodiscard]] double gapShareSigma() const;       ///< 0 if it is not estimated
 
   /// Computes what is to be asked for often, and gives back the factor, which is most of the memory: between() and
   /// timesCells() make it once more from the problem, the same to the last bit, when they are first called. `problem`:

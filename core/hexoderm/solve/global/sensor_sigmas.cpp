@@ -9,30 +9,48 @@
 namespace hexoderm {
 namespace {
 
-/// Variances in the order of SensorError, offsets without their shared part, then the shared part.
-using Variances = Eigen::Vector4d;
+/// Variances in the order of SensorError, without what is shared, then those of the lot's offset and scale.
+using Variances = Eigen::Matrix<double, 5, 1>;
+using Information = Eigen::Matrix<double, 5, 5>;
 constexpr Eigen::Index kShared = 3;
+constexpr Eigen::Index kSharedScale = 4;
 constexpr Eigen::Index kKinds = kSensorErrors;
+/// The lot's errors: an offset of each axis, and the scale.
+constexpr Eigen::Index kLotErrors = 4;
+Eigen::Index groupOfLot(Eigen::Index error) { return error < 3 ? kShared : kSharedScale; }
 
 constexpr double kMinVariance = 1e-12;         // far below what any reading shows
 constexpr double kWeightOfModelSigmas = 1e-3;  // of one error, for the cell model's sigmas
 /// With fewer degrees of freedom the range of a sigma spans more than a factor of three.
 constexpr double kFewestErrors = 7;
-/// A lot has three offsets.
+/// A lot has three offsets and one scale.
 constexpr double kFewestSharedOffsets = 2;
+constexpr double kFewestSharedScales = 0.75;
 constexpr double kTwoSided95 = 1.959964;
 
 Eigen::Index groupOf(Eigen::Index parameter) { return static_cast<Eigen::Index>(kindOfParameter(parameter)); }
 
+/// Which of the lot's errors adds to a parameter.
+std::optional<Eigen::Index> lotErrorOf(Eigen::Index parameter) {
+  switch (kindOfParameter(parameter)) {
+    case SensorError::Offset:
+      return (parameter % kSensorParameters) / 4;
+    case SensorError::Scale:
+      return kLotErrors - 1;
+    default:
+      return std::nullopt;
+  }
+}
+
 /// The parameters are numbered by sensors; those of one kind are summed up.
-Eigen::Vector4d sumsByKind(const Eigen::VectorXd& values) {
-  Eigen::Vector4d sums = Eigen::Vector4d::Zero();
+Variances sumsByKind(const Eigen::VectorXd& values) {
+  Variances sums = Variances::Zero();
   for (Eigen::Index k = 0; k < values.size(); ++k) sums[groupOf(k)] += values[k];
   return sums;
 }
 
-Eigen::Matrix4d squaresByKind(const Eigen::MatrixXd& matrix) {
-  Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();
+Information squaresByKind(const Eigen::MatrixXd& matrix) {
+  Information sums = Information::Zero();
   for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
     for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
       sums(groupOf(row), groupOf(column)) += matrix(row, column) * matrix(row, column);
@@ -42,13 +60,13 @@ Eigen::Matrix4d squaresByKind(const Eigen::MatrixXd& matrix) {
 }
 
 /// Score and Fisher information of the variances. With P = (M^-1 + L)^-1 and p = P x for the most likely errors x:
-/// score (p^T L_j p - tr P L_j) / 2 and information tr(P L_j P L_k) / 2, L_j being the derivative of L. The shared
-/// offset adds U w U^T to L, of rank three over all patches, with U the sum of all sensors' offsets.
+/// score (p^T L_j p - tr P L_j) / 2 and information tr(P L_j P L_k) / 2, L_j being the derivative of L. The lot adds
+/// U w U^T to L, of rank four over all patches, with U what its errors add to the sensors' and w their variances.
 class Likelihood {
  public:
   Likelihood(std::span<const SensorEvidence> evidence, const Variances& variances) {
-    std::array<Eigen::Matrix3d, kKinds> spread;  // A_j^T A_j, with A = P0 U, P0 without the shared part
-    spread.fill(Eigen::Matrix3d::Zero());
+    std::array<Eigen::Matrix4d, kKinds> spread;  // A_j^T A_j, with A = P0 U, P0 without the shared part
+    spread.fill(Eigen::Matrix4d::Zero());
     struct Patch {
       Eigen::MatrixXd precision;
       Eigen::VectorXd weighted;
@@ -59,27 +77,29 @@ class Likelihood {
       Eigen::VectorXd prior(patch.weighted.size());
       for (Eigen::Index k = 0; k < prior.size(); ++k) prior[k] = variances[groupOf(k)];
       WeighedEvidence weighed = weigh(patch, prior);
-      Eigen::MatrixXd A = Eigen::MatrixXd::Zero(prior.size(), 3);
+      Eigen::MatrixXd A = Eigen::MatrixXd::Zero(prior.size(), kLotErrors);
       for (Eigen::Index k = 0; k < prior.size(); ++k) {
-        if (kindOfParameter(k) != SensorError::Offset) continue;
-        const Eigen::Index axis = (k % kSensorParameters) / 4;
-        A.col(axis) += weighed.precision.col(k);
-        shared_weighted_[axis] += weighed.weighted[k];
+        const std::optional<Eigen::Index> error = lotErrorOf(k);
+        if (!error) continue;
+        A.col(*error) += weighed.precision.col(k);
+        shared_weighted_[*error] += weighed.weighted[k];
       }
       for (Eigen::Index k = 0; k < prior.size(); ++k) {
-        if (kindOfParameter(k) == SensorError::Offset) shared_precision_.row((k % kSensorParameters) / 4) += A.row(k);
+        if (const std::optional<Eigen::Index> error = lotErrorOf(k)) shared_precision_.row(*error) += A.row(k);
         spread.at(static_cast<std::size_t>(groupOf(k))) += A.row(k).transpose() * A.row(k);
       }
       patches.push_back({std::move(weighed.precision), std::move(weighed.weighted), std::move(A)});
     }
 
     // P = P0 - A K A^T, K = (1/w + G)^-1, G = U^T A.
-    const double w = variances[kShared];
-    const Eigen::Matrix3d& G = shared_precision_;
-    const Eigen::Matrix3d K = w * (Eigen::Matrix3d::Identity() + w * G).inverse();
-    const Eigen::Matrix3d W = Eigen::Matrix3d::Identity() - K * G;  // P U = A W
-    const Eigen::Vector3d shared = shared_weighted_ - G * K * shared_weighted_;
-    const Eigen::Matrix3d of_shared = G * W;
+    const Eigen::Matrix4d& G = shared_precision_;
+    Eigen::Vector4d w;
+    for (Eigen::Index error = 0; error < kLotErrors; ++error) w[error] = variances[groupOfLot(error)];
+    const Eigen::Matrix4d K =
+        (Eigen::Matrix4d::Identity() + w.asDiagonal() * G).partialPivLu().solve(Eigen::Matrix4d(w.asDiagonal()));
+    const Eigen::Matrix4d W = Eigen::Matrix4d::Identity() - K * G;  // P U = A W
+    const Eigen::Vector4d shared = shared_weighted_ - G * K * shared_weighted_;
+    const Eigen::Matrix4d of_shared = G * W;
     for (const Patch& patch : patches) {
       const Eigen::VectorXd weighted = patch.weighted - patch.A * (K * shared_weighted_);
       score_ += (sumsByKind(weighted.cwiseAbs2()) - sumsByKind(patch.precision.diagonal())) / 2;
@@ -93,46 +113,55 @@ class Likelihood {
       }
     }
     for (Eigen::Index j = 0; j < kKinds; ++j) {
-      const Eigen::Matrix3d& T_j = spread.at(static_cast<std::size_t>(j));
+      const Eigen::Matrix4d& T_j = spread.at(static_cast<std::size_t>(j));
       score_[j] += (K * T_j).trace() / 2;
       for (Eigen::Index k = 0; k < kKinds; ++k) {
         information_(j, k) += (K * T_j * K * spread.at(static_cast<std::size_t>(k))).trace() / 2;
       }
-      information_(j, kShared) = information_(kShared, j) = (W.transpose() * T_j * W).trace() / 2;
+      const Eigen::Vector4d mixed = (W.transpose() * T_j * W).diagonal() / 2;
+      for (Eigen::Index error = 0; error < kLotErrors; ++error) {
+        information_(j, groupOfLot(error)) += mixed[error];
+        information_(groupOfLot(error), j) += mixed[error];
+      }
     }
-    score_[kShared] = (shared.squaredNorm() - of_shared.trace()) / 2;
-    information_(kShared, kShared) = of_shared.cwiseAbs2().sum() / 2;
+    for (Eigen::Index a = 0; a < kLotErrors; ++a) {
+      score_[groupOfLot(a)] += (shared[a] * shared[a] - of_shared(a, a)) / 2;
+      for (Eigen::Index b = 0; b < kLotErrors; ++b) {
+        information_(groupOfLot(a), groupOfLot(b)) += of_shared(a, b) * of_shared(a, b) / 2;
+      }
+    }
   }
 
-  [[nodiscard]] const Eigen::Vector4d& score() const { return score_; }
-  [[nodiscard]] const Eigen::Matrix4d& information() const { return information_; }
-  /// G = U^T P0 U and U^T p0: the information about the lot's offset and that times its most likely value.
-  [[nodiscard]] const Eigen::Matrix3d& sharedPrecision() const { return shared_precision_; }
-  [[nodiscard]] const Eigen::Vector3d& sharedWeighted() const { return shared_weighted_; }
+  [[nodiscard]] const Variances& score() const { return score_; }
+  [[nodiscard]] const Information& information() const { return information_; }
+  /// G = U^T P0 U and U^T p0: the information about the lot's errors and that times their most likely values.
+  [[nodiscard]] const Eigen::Matrix4d& sharedPrecision() const { return shared_precision_; }
+  [[nodiscard]] const Eigen::Vector4d& sharedWeighted() const { return shared_weighted_; }
 
  private:
-  Eigen::Vector4d score_ = Eigen::Vector4d::Zero();
-  Eigen::Matrix4d information_ = Eigen::Matrix4d::Zero();
-  Eigen::Matrix3d shared_precision_ = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d shared_weighted_ = Eigen::Vector3d::Zero();
+  Variances score_ = Variances::Zero();
+  Information information_ = Information::Zero();
+  Eigen::Matrix4d shared_precision_ = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d shared_weighted_ = Eigen::Vector4d::Zero();
 };
 
 Variances variancesOf(const Accelerometer& model) {
-  constexpr double kMinShare = 0.01;  // of the offsets' variance, so that a shared part can be found
+  constexpr double kMinShare = 0.01;  // of the own errors' variance, so that a shared part can be found
   const double own = std::pow(model.largestOffsetSigma_g(), 2);
-  const double shared = std::max(std::pow(model.offset_shared_sigma_g, 2), kMinShare * own);
-  Variances variances(own, std::pow(model.scale_sigma, 2), std::pow(model.cross_axis_sigma, 2), shared);
+  const double scale = std::pow(model.scale_sigma, 2);
+  Variances variances;
+  variances << own, scale, std::pow(model.cross_axis_sigma, 2),
+      std::max(std::pow(model.offset_shared_sigma_g, 2), kMinShare * own),
+      std::max(std::pow(model.scale_shared_sigma, 2), kMinShare * scale);
   constexpr double kMinStart = 1e-8;  // from exactly 0 nothing would move
   return variances.cwiseMax(kMinStart);
 }
 
 /// The model's word, as if so much of an error had been seen.
-Eigen::Vector4d modelScore(const Variances& model, const Variances& now) {
+Variances modelScore(const Variances& model, const Variances& now) {
   return kWeightOfModelSigmas / 2 * (model - now).cwiseQuotient(now.cwiseAbs2());
 }
-Eigen::Vector4d modelInformation(const Variances& now) {
-  return kWeightOfModelSigmas / 2 * now.cwiseAbs2().cwiseInverse();
-}
+Variances modelInformation(const Variances& now) { return kWeightOfModelSigmas / 2 * now.cwiseAbs2().cwiseInverse(); }
 
 Variances mostLikely(std::span<const SensorEvidence> evidence, const Variances& model) {
   constexpr int kRounds = 200;
@@ -142,14 +171,14 @@ Variances mostLikely(std::span<const SensorEvidence> evidence, const Variances& 
   Variances variances = model;
   for (int round = 0; round < kRounds; ++round) {
     const Likelihood likelihood(evidence, variances);
-    Eigen::Matrix4d information = likelihood.information();
+    Information information = likelihood.information();
     information.diagonal() += modelInformation(variances);
     // Scaled, because variances differ by orders of magnitude.
-    const Eigen::Matrix4d scaled = variances.asDiagonal() * information * variances.asDiagonal();
-    const Eigen::Vector4d score = likelihood.score() + modelScore(model, variances);
-    const Eigen::Vector4d step = scaled.ldlt().solve(variances.cwiseProduct(score));
+    const Information scaled = variances.asDiagonal() * information * variances.asDiagonal();
+    const Variances score = likelihood.score() + modelScore(model, variances);
+    const Variances step = scaled.ldlt().solve(variances.cwiseProduct(score));
     Variances next = variances;
-    for (Eigen::Index k = 0; k < 4; ++k) {
+    for (Eigen::Index k = 0; k < variances.size(); ++k) {
       const double factor = std::isfinite(step[k]) ? 1 + step[k] : 1;
       next[k] = std::max(kMinVariance, variances[k] * std::clamp(factor, 1 / kLargestFactor, kLargestFactor));
     }
@@ -177,8 +206,11 @@ SigmaEstimate measured(double variance, double variance_error) {
   estimate.knowledge = SigmaKnowledge::Measured;
   estimate.worth = worthOf(variance, variance_error);
   estimate.sigma = std::sqrt(variance);
-  estimate.low_95 = estimate.sigma / std::sqrt(quantileShare(estimate.worth, kTwoSided95));
-  estimate.high_95 = estimate.sigma / std::sqrt(quantileShare(estimate.worth, -kTwoSided95));
+  // A single normal error, of which Wilson and Hilferty's share may be negative: one in 40 is larger than so many
+  // sigmas, one in 40 smaller.
+  const bool is_single = estimate.worth < kFewestSharedOffsets;
+  estimate.low_95 = estimate.sigma / (is_single ? 2.2414 : std::sqrt(quantileShare(estimate.worth, kTwoSided95)));
+  estimate.high_95 = estimate.sigma / (is_single ? 0.03134 : std::sqrt(quantileShare(estimate.worth, -kTwoSided95)));
   return estimate;
 }
 
@@ -215,29 +247,31 @@ SigmaEstimate bounded(double variance, double variance_error, std::optional<doub
 }
 
 /// The inverse of the Fisher information; very large where there is none.
-Eigen::Matrix4d errorsOf(const Eigen::Matrix4d& information, const Variances& variances) {
-  Eigen::Matrix4d with_model = information;
+Information errorsOf(const Information& information, const Variances& variances) {
+  Information with_model = information;
   with_model.diagonal() += modelInformation(variances);
-  const Eigen::Matrix4d scaled = variances.asDiagonal() * with_model * variances.asDiagonal();
-  return variances.asDiagonal() * Eigen::Matrix4d(scaled.ldlt().solve(Eigen::Matrix4d::Identity())) *
-         variances.asDiagonal();
+  const Information scaled = variances.asDiagonal() * with_model * variances.asDiagonal();
+  return variances.asDiagonal() * Information(scaled.ldlt().solve(Information::Identity())) * variances.asDiagonal();
 }
 
-std::optional<SharedOffset> lotOf(const Likelihood& likelihood) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(likelihood.sharedPrecision());
+/// Nothing is granted of the lot's offset beforehand, and of its scale that it has the variance that was found.
+std::optional<LotEstimate> lotOf(const Likelihood& likelihood, const Variances& variances) {
+  Eigen::Matrix4d precision = likelihood.sharedPrecision();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(precision.topLeftCorner<3, 3>());
   if (eigen.eigenvalues().minCoeff() <= 1e-9 * eigen.eigenvalues().maxCoeff()) return std::nullopt;
-  const Eigen::Matrix3d covariance = likelihood.sharedPrecision().inverse();
-  return SharedOffset{covariance * likelihood.sharedWeighted(), covariance.diagonal().cwiseSqrt()};
+  precision(3, 3) += 1 / variances[kSharedScale];
+  const Eigen::Matrix4d covariance = precision.ldlt().solve(Eigen::Matrix4d::Identity());
+  const Eigen::Vector4d errors = covariance * likelihood.sharedWeighted();
+  const Eigen::Vector4d sigmas = covariance.diagonal().cwiseMax(0).cwiseSqrt();
+  return LotEstimate{errors.head<3>(), sigmas.head<3>(), 1 + errors[3], sigmas[3] / (1 + errors[3])};
 }
 
 }  // namespace
 
 Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
-  if (scale.knowledge != SigmaKnowledge::Unknown) {
-    // One lot does not tell its part of the scales from the chips' own, so all of it counts as theirs.
-    accelerometer.scale_sigma = scale.forModel();
-    accelerometer.scale_shared_sigma = 0;
-  }
+  const double more = shared_scale.knowledge == SigmaKnowledge::AtMost ? shared_scale.sigma : 0;
+  accelerometer.scale_sigma = std::hypot(scale.forModel(), more);
+  accelerometer.scale_shared_sigma = shared_scale.knowledge == SigmaKnowledge::AtMost ? 0 : shared_scale.sigma;
   accelerometer.cross_axis_sigma = cross_axis.forModel();
   const double whole_g = offset_g.forModel();
   double& shared_g = accelerometer.offset_shared_sigma_g;
@@ -253,7 +287,7 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
   const double whole_offset_g = whole.largestOffsetSigma_g();
   const Variances variances = mostLikely(evidence, variancesOf(model));
   const Likelihood likelihood(evidence, variances);
-  const Eigen::Matrix4d errors = errorsOf(likelihood.information(), variances);
+  const Information errors = errorsOf(likelihood.information(), variances);
   const auto boundOf = [&](Eigen::Index which, double model_sigma) {
     return upperBound(evidence, variances, which, model_sigma * model_sigma);
   };
@@ -263,8 +297,15 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
     return bounded(variances[at], errors(at, at), boundOf(at, model_sigma), model_sigma);
   };
   SensorSigmas sigmas;
-  sigmas.scale = kind(SensorError::Scale, whole.scale_sigma);
+  sigmas.scale = kind(SensorError::Scale, model.scale_sigma);
   sigmas.cross_axis = kind(SensorError::CrossAxis, model.cross_axis_sigma);
+  const double scale_error = errors(kSharedScale, kSharedScale);
+  if (worthOf(variances[kSharedScale], scale_error) >= kFewestSharedScales) {
+    sigmas.shared_scale = measured(variances[kSharedScale], scale_error);
+  } else {
+    sigmas.shared_scale = bounded(variances[kSharedScale], scale_error, boundOf(kSharedScale, whole.scale_sigma),
+                                  model.scale_shared_sigma);
+  }
 
   const auto own = static_cast<Eigen::Index>(SensorError::Offset);
   const double offset = variances[own] + variances[kShared];
@@ -289,7 +330,7 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
     sigmas.shared_offset_g = bounded(variances[kShared], shared_error, knows_offset ? shared_bound : std::nullopt,
                                      model.offset_shared_sigma_g);
   }
-  if (sigmas.shared_offset_g.knowledge != SigmaKnowledge::Unknown) sigmas.lot = lotOf(likelihood);
+  if (sigmas.shared_offset_g.knowledge != SigmaKnowledge::Unknown) sigmas.lot = lotOf(likelihood, variances);
   return sigmas;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/solve/global/sensor_evidence.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <Eigen/Core>
 #include <optional>
@@ -28,21 +29,17 @@ struct SigmaEstimate {
   [[nodiscard]] double forModel() const { return knowledge == SigmaKnowledge::AtMost ? high_95 : sigma; }
 };
 
-/// The offset that all sensors have in common, accelerometer axes.
-struct SharedOffset {
-  Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
-  Eigen::Vector3d sigma_g = Eigen::Vector3d::Zero();  ///< 1 sigma
-};
-
 /// The sigmas of the sensors' errors.
 struct SensorSigmas {
   SigmaEstimate offset_g;         ///< of all of it: what is a sensor's own and what is shared
   SigmaEstimate shared_offset_g;  ///< three numbers of one lot say little about lots: see its range
-  SigmaEstimate scale;
+  SigmaEstimate scale;            ///< of a sensor's own, beside the shared one
+  SigmaEstimate shared_scale;     ///< one number of one lot says less still
   SigmaEstimate cross_axis;
-  std::optional<SharedOffset> lot;  ///< absent where readings don't tell it
+  std::optional<LotEstimate> lot;  ///< absent where readings don't tell it
 
-  /// The cell model's accelerometer with these sigmas. The shared one is written if it is measured.
+  /// The cell model's accelerometer with these sigmas. Shared ones are written if they are measured; what is only
+  /// bounded counts as the sensors' own.
   [[nodiscard]] Accelerometer inModel(Accelerometer accelerometer) const;
 };
 
@@ -50,12 +47,12 @@ struct SensorSigmas {
 /// `evidence` together, whose sensors are of one lot.
 ///
 /// Model: offsets b = m + e, with m the lot's, normal about 0 with variance w per axis and e a sensor's own, with
-/// variance t; scale and cross-axis errors are independent with a variance each. These four variances maximise the
-/// likelihood that is left when all errors are integrated out. That is where expectation maximisation settles, each
-/// variance being the mean over its errors of posterior mean squared plus posterior variance; it is found by Fisher
-/// scoring, because plain expectation maximisation takes thousands of rounds where readings say little. Ranges follow
-/// from the Fisher information, as of a chi-squared with as many degrees of freedom (Satterthwaite); a bound is where
-/// the likelihood has fallen by as much as at a normal estimate's 95 % limit.
+/// variance t; scale errors likewise, with one number of the lot for all axes; cross-axis errors are independent. These
+/// five variances maximise the likelihood that is left when all errors are integrated out. That is where expectation
+/// maximisation settles, each variance being the mean over its errors of posterior mean squared plus posterior
+/// variance; it is found by Fisher scoring, because plain expectation maximisation takes thousands of rounds where
+/// readings say little. Ranges follow from the Fisher information, as of a chi-squared with as many degrees of freedom
+/// (Satterthwaite); a bound is where the likelihood has fallen by as much as at a normal estimate's 95 % limit.
 ///
 /// `model`: what the cell model says of them; it counts as a thousandth of one error, which keeps a variance that the
 /// readings don't show where it is.

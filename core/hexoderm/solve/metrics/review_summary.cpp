@@ -92,4 +92,11 @@ ResidualSummary summariseResiduals(const Reconstruction& reconstruction) {
   return summary;
 }
 
+Message lotText(const LotEstimate& lot) {
+  const auto milli_g = [](double value_g) { return Number{1e3 * value_g, 1}; };
+  return message("offset {}, {}, {} +- {} mg, scale {} +- {} (1 sigma)", milli_g(lot.offset_g.x()),
+                 milli_g(lot.offset_g.y()), milli_g(lot.offset_g.z()), milli_g(lot.offset_sigma_g.maxCoeff()),
+                 Number{lot.scale, 3}, Number{lot.scale_sigma, 3});
+}
+
 }  // namespace hexoderm

@@ -56,4 +56,7 @@ struct ResidualSummary {
 };
 ResidualSummary summariseResiduals(const Reconstruction& reconstruction);  ///< the residuals of a reconstruction
 
+/// "offset -25.3, -10.1, -45.0 +- 2.1 mg, scale 1.003 +- 0.001 (1 sigma)"; of the offset the sigma of the worst axis.
+Message lotText(const LotEstimate& lot);
+
 }  // namespace hexoderm

@@ -26,6 +26,7 @@ ReportContent contentOf(const Reconstruction& result) {
 
 Reconstruction awkwardResult() {
   Reconstruction result = makeTestReconstruction();
+  result.patches[0].lot = {{0.03, -0.0101, 0}, {0.001, 0.002, 0.001}, 1.01, 0.004};
   result.poses[0].label = Message::verbatim("<script>alert('pose')</script>");
   result.source.text = Message::verbatim("<img src=x onerror=alert(1)>");
   result.source.sha256 = std::string(64, 'a');
@@ -81,6 +82,7 @@ TEST(Report, IsWellFormedAndSaysAllThatMatters) {
   EXPECT_THAT(text, HasTexts({"arm <b>left</b> & hand.hexo", "Look at the findings, then export.",
                               "<script>alert('pose')</script>", "<img src=x onerror=alert(1)>", "aaaaaaaaaaaaaaaa",
                               "Hexoderm " HEXODERM_VERSION, "2026-03-04T05:06:07", "3:2 – 7:3", "hex-bma150",
+                              "offset 30.0, −10.1, 0.0 ± 2.0 mg, scale 1.010 ± 0.004 (1 sigma)",
                               "With a probability of 95 %, each measured cell is at most 1.2 mm"}));
   EXPECT_EQ(text.count("Usable: ±1.2 mm"), 1) << "the verdict is said once";
   // Nothing from files becomes markup.

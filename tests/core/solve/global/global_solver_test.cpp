@@ -145,6 +145,8 @@ TEST(GlobalCovariance, IsTheInverseOfTheNormalEquations) {
       for (const bool accelerations : {false, true}) {
         GlobalCase example = simulatedCase(test::skinOptions(patch), 3, gap);
         example.problem.accelerations = accelerations;
+        const CellModel of_a_lot = modelOfALot();
+        if (accelerations) example.problem.model = &of_a_lot;
         // Two links between the same cells add up.
         GlobalLink again = example.problem.links[1];
         std::swap(again.c, again.n);
@@ -193,6 +195,10 @@ TEST(GlobalCovariance, IsTheInverseOfTheNormalEquations) {
           if (!accelerations) continue;
           const Eigen::Index at = border + layout.acceleration(pose);
           expectNear(covariance.acceleration(pose), C.block<3, 3>(at, at), "pose " + std::to_string(pose));
+        }
+        if (example.problem.estimatesLot()) {
+          const Eigen::Vector4d variances = C.diagonal().segment<4>(border + layout.lot());
+          expectNear(covariance.lotSigmas().cwiseAbs2(), variances, "lot");
         }
         const Eigen::Index share = border + layout.gapShare();
         EXPECT_NEAR(covariance.gapShareSigma(), gap.sigma ? std::sqrt(C(share, share)) : 0, 1e-9);

@@ -29,10 +29,13 @@ Accelerometer accelerometer(double offset_g, double shared_g, double scale, doub
 
 /// Errors of so many sensors of one lot.
 Eigen::VectorXd drawErrors(const Accelerometer& sigmas, std::size_t sensors, const Eigen::Vector3d& lot_g,
-                           NormalDraw& draw) {
+                           double lot_scale, NormalDraw& draw) {
   const Eigen::VectorXd prior = priorVariances(sigmas, sensors);
   Eigen::VectorXd errors = prior.cwiseSqrt().cwiseProduct(drawMatrix(draw, prior.size()));
-  for (Eigen::Index k = 0; k < errors.size(); k += 4) errors[k] += lot_g[(k % kSensorParameters) / 4];
+  for (Eigen::Index k = 0; k < errors.size(); ++k) {
+    if (kindOfParameter(k) == SensorError::Offset) errors[k] += lot_g[(k % kSensorParameters) / 4];
+    if (kindOfParameter(k) == SensorError::Scale) errors[k] += lot_scale;
+  }
   return errors;
 }
 
@@ -117,12 +120,12 @@ double rootMeanOf(SensorError kind, const Eigen::VectorXd& squares) {
 TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   NormalDraw draw(3);
   constexpr std::size_t kSensors = 20;
-  const Eigen::VectorXd x = drawErrors(accelerometer(0.05, 0.03, 0.02, 0.006), kSensors, {0.02, -0.035, 0.03}, draw);
+  const Eigen::VectorXd x =
+      drawErrors(accelerometer(0.05, 0.03, 0.02, 0.006), kSensors, {0.02, -0.035, 0.03}, 0.1, draw);
   const Eigen::MatrixXd exact = 1e10 * Eigen::MatrixXd::Identity(x.size(), x.size());
   const SensorSigmas sigmas =
       estimateSensorSigmas(std::vector{SensorEvidence{exact, exact * x}}, accelerometer(0.1, 0, 0.01, 0.01));
 
-  const double scale = rootMeanOf(SensorError::Scale, x.cwiseAbs2());
   const double cross_axis = rootMeanOf(SensorError::CrossAxis, x.cwiseAbs2());
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();  // of the offsets
   for (Eigen::Index k = 0; k < x.size(); k += 4) mean[(k % kSensorParameters) / 4] += x[k] / kSensors;
@@ -131,51 +134,79 @@ TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
     within += std::pow(x[k] - mean[(k % kSensorParameters) / 4], 2) / (3 * (kSensors - 1));
   }
   const double shared = mean.squaredNorm() / 3 - within / kSensors;
+  double mean_scale = 0;
+  double scale = 0;  // about it
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    if (kindOfParameter(k) == SensorError::Scale) mean_scale += x[k] / (3 * kSensors);
+  }
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    if (kindOfParameter(k) == SensorError::Scale) scale += std::pow(x[k] - mean_scale, 2) / (3 * kSensors - 1);
+  }
+  const double shared_scale = std::sqrt(mean_scale * mean_scale - scale / (3 * kSensors));
+  scale = std::sqrt(scale);
   EXPECT_NEAR(sigmas.scale.sigma, scale, 1e-4 * scale);
+  EXPECT_NEAR(sigmas.shared_scale.sigma, shared_scale, 1e-3 * shared_scale);
   EXPECT_NEAR(sigmas.cross_axis.sigma, cross_axis, 1e-4 * cross_axis);
   EXPECT_NEAR(sigmas.shared_offset_g.sigma, std::sqrt(shared), 1e-3 * std::sqrt(shared));
   EXPECT_NEAR(sigmas.offset_g.sigma, std::sqrt(within + shared), 1e-3 * std::sqrt(within + shared));
   ASSERT_TRUE(sigmas.lot);
   EXPECT_TRUE(sigmas.lot->offset_g.isApprox(mean, 1e-6));
-  EXPECT_NEAR(sigmas.lot->sigma_g[0], std::sqrt(within / kSensors), 1e-3 * std::sqrt(within / kSensors));
-  // Each exactly known error is worth one; a lot has three offsets.
-  EXPECT_NEAR(sigmas.scale.worth, 3 * kSensors, 0.1);
+  EXPECT_NEAR(sigmas.lot->offset_sigma_g[0], std::sqrt(within / kSensors), 1e-3 * std::sqrt(within / kSensors));
+  EXPECT_NEAR(sigmas.lot->scale, 1 + mean_scale, 1e-4);
+  EXPECT_NEAR(sigmas.lot->scale_sigma, scale / std::sqrt(3 * kSensors) / (1 + mean_scale), 1e-5);
+  // Each exactly known error is worth one; a lot has three offsets and one scale, to which one goes.
+  EXPECT_NEAR(sigmas.scale.worth, 3 * kSensors - 1, 0.1);
   EXPECT_NEAR(sigmas.cross_axis.worth, 6 * kSensors, 0.1);
   EXPECT_GT(sigmas.shared_offset_g.worth, 2);
   EXPECT_LT(sigmas.shared_offset_g.worth, 3);
+  EXPECT_NEAR(sigmas.shared_scale.worth, 1, 0.01);
+  EXPECT_NEAR(sigmas.shared_scale.low_95, shared_scale / 2.2414, 1e-3 * shared_scale);
+  EXPECT_GT(sigmas.shared_scale.high_95, 30 * shared_scale) << "one number says little of others";
 }
 
 TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
   NormalDraw draw(4);
   const Accelerometer truth = accelerometer(0.03, 0.02, 0.01, 0.008);
-  const Eigen::VectorXd x = drawErrors(truth, 8, {0.03, -0.02, 0.01}, draw);
+  const Eigen::VectorXd x = drawErrors(truth, 8, {0.03, -0.02, 0.01}, 0.05, draw);
   const SensorEvidence evidence = seen(mixedInformation(x.size(), draw), x, draw);
   const SensorSigmas sigmas = estimateSensorSigmas(std::vector{evidence}, accelerometer(0.06, 0, 0.02, 0.005));
   const double shared = std::pow(sigmas.shared_offset_g.sigma, 2);
   const double own = std::pow(sigmas.offset_g.sigma, 2) - shared;
-  Eigen::VectorXd diagonal(x.size());
-  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(x.size(), x.size());
+  Eigen::VectorXd D(x.size());  // variances of the sensors' own errors
+  Eigen::MatrixXd U = Eigen::MatrixXd::Zero(x.size(), 4);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const SensorError kind = kindOfParameter(k);
-    L(k, k) = kind == SensorError::Offset  ? own
-              : kind == SensorError::Scale ? std::pow(sigmas.scale.sigma, 2)
-                                           : std::pow(sigmas.cross_axis.sigma, 2);
-    for (Eigen::Index l = k % kSensorParameters; kind == SensorError::Offset && l < x.size(); l += kSensorParameters) {
-      L(k, l) += shared;
-    }
+    D[k] = kind == SensorError::Offset  ? own
+           : kind == SensorError::Scale ? std::pow(sigmas.scale.sigma, 2)
+                                        : std::pow(sigmas.cross_axis.sigma, 2);
+    if (kind == SensorError::Offset) U(k, (k % kSensorParameters) / 4) = 1;
+    if (kind == SensorError::Scale) U(k, 3) = 1;
   }
+  const Eigen::Vector4d w(shared, shared, shared, std::pow(sigmas.shared_scale.sigma, 2));
+  const Eigen::MatrixXd L = Eigen::MatrixXd(D.asDiagonal()) + U * w.asDiagonal() * U.transpose();
   const Eigen::MatrixXd covariance = (evidence.information + L.inverse()).inverse();
   const Eigen::VectorXd mean = covariance * evidence.weighted;
-  const Eigen::VectorXd moments = mean.cwiseAbs2() + covariance.diagonal();
+  // What of an error x is B x in the mean, with B = S L^-1 and S its covariance with x; a priori it has the variance P.
+  const auto momentsOf = [&](const Eigen::MatrixXd& S, const Eigen::MatrixXd& P) -> Eigen::VectorXd {
+    const Eigen::MatrixXd B = S * L.inverse();
+    return (B * mean).cwiseAbs2() + (P - B * S.transpose() + B * covariance * B.transpose()).diagonal();
+  };
+  const Eigen::VectorXd moments = momentsOf(D.asDiagonal(), D.asDiagonal());
+  EXPECT_NEAR(rootMeanOf(SensorError::Offset, moments), std::sqrt(own), 1e-3 * std::sqrt(own));
   EXPECT_NEAR(rootMeanOf(SensorError::Scale, moments), sigmas.scale.sigma, 1e-3 * sigmas.scale.sigma);
   EXPECT_NEAR(rootMeanOf(SensorError::CrossAxis, moments), sigmas.cross_axis.sigma, 1e-3 * sigmas.cross_axis.sigma);
+  const Eigen::VectorXd of_lot = momentsOf(w.asDiagonal() * U.transpose(), w.asDiagonal());
+  EXPECT_NEAR(std::sqrt(of_lot.head<3>().mean()), std::sqrt(shared), 2e-3 * std::sqrt(shared));
+  EXPECT_NEAR(std::sqrt(of_lot[3]), sigmas.shared_scale.sigma, 2e-3 * sigmas.shared_scale.sigma);
 }
 
 TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
   const SensorEvidence nothing{Eigen::MatrixXd::Zero(60, 60), Eigen::VectorXd::Zero(60)};
-  const Accelerometer model = accelerometer(0.06, 0.01, 0.02, 0.005);
+  Accelerometer model = accelerometer(0.06, 0.01, 0.02, 0.005);
+  model.scale_shared_sigma = 0.03;
   const SensorSigmas sigmas = estimateSensorSigmas(std::vector{nothing}, model);
-  for (const SigmaEstimate& sigma : {sigmas.offset_g, sigmas.shared_offset_g, sigmas.scale, sigmas.cross_axis}) {
+  for (const SigmaEstimate& sigma :
+       {sigmas.offset_g, sigmas.shared_offset_g, sigmas.scale, sigmas.shared_scale, sigmas.cross_axis}) {
     EXPECT_EQ(sigma.knowledge, SigmaKnowledge::Unknown);
     EXPECT_LT(sigma.worth, 0.01);  // the model counts as a thousandth of an error
   }
@@ -184,6 +215,7 @@ TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
   EXPECT_TRUE(written.offset_sigma_g.isApprox(model.offset_sigma_g, 1e-12));
   EXPECT_DOUBLE_EQ(written.offset_shared_sigma_g, model.offset_shared_sigma_g);
   EXPECT_EQ(written.scale_sigma, model.scale_sigma);
+  EXPECT_EQ(written.scale_shared_sigma, model.scale_shared_sigma);
   EXPECT_EQ(written.cross_axis_sigma, model.cross_axis_sigma);
   EXPECT_EQ(estimateSensorSigmas({}, model).offset_g.knowledge, SigmaKnowledge::Unknown);
 }
@@ -194,11 +226,12 @@ TEST(SensorSigmas, ErrorsBelowWhatReadingsShowAreBounded) {
   const SensorEvidence evidence = seen(mixedInformation(120, draw), x, draw);
   const Accelerometer model = accelerometer(0.06, 0, 0.02, 0.02);
   const SensorSigmas sigmas = estimateSensorSigmas(std::vector{evidence}, model);
-  for (const SigmaEstimate& sigma : {sigmas.offset_g, sigmas.scale, sigmas.cross_axis}) {
+  for (const SigmaEstimate& sigma : {sigmas.offset_g, sigmas.scale, sigmas.shared_scale, sigmas.cross_axis}) {
     ASSERT_NE(sigma.knowledge, SigmaKnowledge::Unknown);
     EXPECT_GT(sigma.forModel(), 0);
     EXPECT_LT(sigma.high_95, 0.01);
   }
+  EXPECT_EQ(sigmas.inModel(model).scale_shared_sigma, 0) << "not measured";
 }
 
 TEST(SensorSigmas, LieWithinTheirRangesAsOftenAsStated) {
@@ -211,7 +244,7 @@ TEST(SensorSigmas, LieWithinTheirRangesAsOftenAsStated) {
     // Two skins.
     std::vector<SensorEvidence> evidence;
     for (int skin = 0; skin < 2; ++skin) {
-      const Eigen::VectorXd x = drawErrors(truth, 4, Eigen::Vector3d::Zero(), draw);
+      const Eigen::VectorXd x = drawErrors(truth, 4, Eigen::Vector3d::Zero(), 0, draw);
       evidence.push_back(seen(mixedInformation(x.size(), draw), x, draw));
     }
     const SensorSigmas sigmas = estimateSensorSigmas(evidence, accelerometer(0.06, 0, 0.02, 0.005));

@@ -27,6 +27,11 @@ Reconstruction threeLinks() {
       .build();
 }
 
+TEST(ReviewSummary, SaysALotInWords) {
+  EXPECT_EQ(lotText({{-0.02534, -0.0101, 0.045}, {0.001, 0.0021, 0.0004}, 1.0031, 0.0012}).english(),
+            "offset -25.3, -10.1, 45.0 +- 2.1 mg, scale 1.003 +- 0.001 (1 sigma)");
+}
+
 TEST(ReviewSummary, PosesHaveTheQuartilesOfTheirLinks) {
   const ResidualSummary summary = summariseResiduals(threeLinks());
   ASSERT_THAT(summary.poses, SizeIs(2)) << "nothing was measured in the second";
