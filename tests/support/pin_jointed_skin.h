@@ -5,6 +5,7 @@
 
 #include "hexoderm/session/session.h"
 
+#include <array>
 #include <map>
 #include <random>
 #include <vector>
@@ -30,10 +31,8 @@ class PinJointedSkin {
     for (const PinJoint& joint : joints) {
       const Port& source = model.port(PortNumber(joint.source_port));
       const Port& target = model.port(PortNumber(joint.target_port));
-      const Eigen::Vector3d u = source.vector_m.normalized();
-      const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-      const Eigen::Matrix3d R = expSO3(joint.twist_rad * u + joint.bend_rad * z.cross(u) + joint.yaw_rad * z) *
-                                nominalAlignment(source, target);
+      const Eigen::Vector3d angles(joint.twist_rad, joint.bend_rad, joint.yaw_rad);
+      const Eigen::Matrix3d R = expSO3(linkAxes(source) * angles) * nominalAlignment(source, target);
       truth[CellId(joint.target)] = truth.at(CellId(joint.source)) * linkTransform(R, source, target);
       connect({CellId(joint.source), source.number}, {CellId(joint.target), target.number});
     }
@@ -67,8 +66,17 @@ class PinJointedSkin {
   std::map<CellId, std::vector<NeighborReport>> neighbors;
 };
 
+/// The built-in model, whose ports 1 to 4 have these heights.
+inline CellModel modelOfHeights(const std::array<double, 4>& heights_m) {
+  CellModel model = builtInCellModel("hex-bma150");
+  for (std::size_t k = 0; k < heights_m.size(); ++k) model.ports.at(k).vector_m.z() = heights_m.at(k);
+  return model;
+}
+/// One line of cells forms steps, the other folds by 28 degrees a link.
+inline CellModel modelOfStepsAndFolds() { return modelOfHeights({0.004, -0.005, -0.002, -0.004}); }
+
 /// X17 around something like an arm: two lines of nine cells through cell 1, every joint bent, a little twisted.
-inline PinJointedSkin bentX17() {
+inline PinJointedSkin bentX17(const CellModel& model = builtInCellModel("hex-bma150")) {
   std::vector<PinJoint> joints;
   std::uint32_t next = 2;
   const std::pair<std::uint32_t, std::uint32_t> arms[] = {{1, 4}, {4, 1}, {2, 3}, {3, 2}};
@@ -82,7 +90,7 @@ inline PinJointedSkin bentX17() {
       from = next++;
     }
   }
-  return PinJointedSkin(joints);
+  return PinJointedSkin(joints, model);
 }
 
 /// A straight line of eight cells, bent into an open or nearly closed ring, whose free ends these are.

@@ -54,6 +54,8 @@ HEXODERM_INLINE Lanes withSignOf(Lanes size, Lanes values) {
   for (int k = 0; k < kWidth; ++k) size[k] = __builtin_copysign(size[k], values[k]);
   return size;
 }
+/// How long the part of a unit vector in the plane of x and y is; exactly 1 where z is 0.
+HEXODERM_INLINE Lanes levelPart(Lanes x, Lanes y, Lanes z) { return z == Lanes{} ? all(1) : rootOf(x * x + y * y); }
 HEXODERM_INLINE bool any(Mask mask) {
   bool found = false;
   for (int k = 0; k < kWidth; ++k) found = found || mask[k] != 0;

@@ -19,6 +19,7 @@ constexpr double kMin = 1e-12;
 constexpr double kMax = 1e9;
 
 double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
+double elevationOf(const Port& port) { return std::atan2(port.vector_m.z(), port.vector_m.head<2>().norm()); }
 
 }  // namespace
 
@@ -130,13 +131,16 @@ Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target) {
   const double angle = headingOf(source) + kPi - headingOf(target);
   Eigen::Matrix3d R;
   R << std::cos(angle), -std::sin(angle), 0, std::sin(angle), std::cos(angle), 0, 0, 0, 1;
-  return R;
+  const double fold = -(elevationOf(source) + elevationOf(target));
+  return Eigen::AngleAxisd(fold, linkAxes(source).col(1)).toRotationMatrix() * R;
 }
 
 Eigen::Matrix3d linkAxes(const Port& port) {
   const Eigen::Vector3d u = port.vector_m.normalized();
+  const double level = u.z() == 0 ? 1 : u.head<2>().norm();  // z is z to the last digit where ports have no height
   Eigen::Matrix3d axes;
-  axes << u, Eigen::Vector3d::UnitZ().cross(u), Eigen::Vector3d::UnitZ();
+  axes << u, Eigen::Vector3d::UnitZ().cross(u) / level, Eigen::Vector3d(-u.z() * u.x(), -u.z() * u.y(), 0) / level;
+  axes(2, 2) = level;
   return axes;
 }
 

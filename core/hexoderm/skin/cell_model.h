@@ -98,15 +98,15 @@ struct CellModel {
   void validate() const;
 };
 
-/// The nominal alignment of a link: the rotation about z that turns p_n onto -p_c, from the model's vectors.
+/// The nominal alignment R_c_n of a link: turns p_n to -p_c and z x p_n to -z x p_c, so about z where z is 0 in both.
 Eigen::Matrix3d nominalAlignment(const Port& source, const Port& target);
 
-/// What twist, bend and yaw of a link are about, in the columns: the port's outward direction u, z x u, and z. Ports
-/// lie in the cell's plane but for what a model's vector says.
+/// What twist, bend and yaw of a link are about, in the columns: unit vectors along the port's outward direction u,
+/// z x u, and u x (z x u), which is z where the port lies in the cell's plane.
 Eigen::Matrix3d linkAxes(const Port& port);
 
-/// Twist, bend and yaw of a link: with u_c the outward port direction of the source cell and R_c_n R_nom^T = exp(w),
-/// the parts of w along u_c, z x u_c and z. Radians.
+/// Twist, bend and yaw of a link, beyond its nominal alignment: with R_c_n R_nom^T = exp(w), the parts of w along the
+/// linkAxes() of the source's port. Radians.
 struct LinkAngles {
   double twist_rad = 0;
   double bend_rad = 0;

@@ -195,6 +195,52 @@ TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {
   }
 }
 
+/// Ports up, down and nearly upright, whose cells fold, form steps and lie one on the other.
+std::vector<Port> portsWithHeight() {
+  std::vector<Port> ports = hex().ports;
+  for (const Eigen::Vector3d& vector_m :
+       {Eigen::Vector3d(0.012, 0.007, 0.004), Eigen::Vector3d(-0.012, -0.007, -0.004),
+        Eigen::Vector3d(-0.003, 0.013, -0.011), Eigen::Vector3d(1e-8, -1e-8, 0.5)}) {
+    ports.push_back({PortNumber(9), vector_m});
+  }
+  return ports;
+}
+
+TEST(NominalAlignment, OfPortsWithHeightFoldsTheLinkUntilTheyFaceEachOther) {
+  for (const Port& source : portsWithHeight()) {
+    for (const Port& target : portsWithHeight()) {
+      const Eigen::Matrix3d axes_c = linkAxes(source);
+      const Eigen::Matrix3d axes_n = linkAxes(target);
+      EXPECT_LT((axes_c.transpose() * axes_c - Eigen::Matrix3d::Identity()).norm(), 1e-14);
+      EXPECT_LT((axes_c.col(0) - source.vector_m.normalized()).norm(), 1e-15);
+      EXPECT_EQ(axes_c(2, 1), 0) << "links fold about a line in the cell's plane";
+      EXPECT_GT(axes_c(2, 2), 0);
+      // Seen from the target, u and z x u point the other way.
+      const Eigen::Matrix3d R = nominalAlignment(source, target);
+      EXPECT_LT((R * axes_n - axes_c * Eigen::Vector3d(-1, -1, 1).asDiagonal()).norm(), 1e-14);
+      EXPECT_LT((nominalAlignment(target, source) - R.transpose()).norm(), 1e-14);
+    }
+  }
+}
+
+TEST(NominalAlignment, OfPortsOfOppositeHeightIsAStep) {
+  const std::vector<Port> ports = portsWithHeight();
+  EXPECT_LT((nominalAlignment(ports[4], ports[5]) - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+}
+
+TEST(LinkAngles, AreTheSameFromBothEndsButForTheSenseOfYaw) {
+  const Eigen::Vector3d expected(0.1, 0.4, -0.2);
+  for (const Port& source : portsWithHeight()) {
+    for (const Port& target : portsWithHeight()) {
+      const Eigen::Matrix3d R_c_n = expSO3(linkAxes(source) * expected) * nominalAlignment(source, target);
+      const LinkAngles there = linkAngles(R_c_n, source, target);
+      const LinkAngles back = linkAngles(R_c_n.transpose(), target, source);
+      EXPECT_LT((Eigen::Vector3d(there.twist_rad, there.bend_rad, there.yaw_rad) - expected).norm(), 1e-13);
+      EXPECT_LT((Eigen::Vector3d(back.twist_rad, back.bend_rad, -back.yaw_rad) - expected).norm(), 1e-13);
+    }
+  }
+}
+
 TEST(LinkAngles, SeparateTheThreeAxesOfALinkAndBendPositivelyAroundAConvexBody) {
   const CellModel model = hex();
   const Port& source = model.port(PortNumber(2));

@@ -79,6 +79,24 @@ TEST_P(RealGarbage, SoundBoardsAreNotAccused) {
   }
 }
 
+/// With the ports' heights from the drawing, by which links fold by up to 65 degrees; and with the same links cut at
+/// other points between the two cells.
+TEST_P(RealGarbage, PortsWithHeightFoldTheLinks) {
+  const Session drawn = real("three_holds_ports_with_height");
+  for (const double of_odd_ports : {1.0, 1.3, 0.6}) {
+    CellModel model = drawn.model();
+    for (Port& port : model.ports) port.vector_m *= port.number.value() % 2 == 1 ? of_odd_ports : 2 - of_odd_ports;
+    Session session(model, drawn.neighbors());
+    for (const SessionPose& pose : drawn.poses()) session.addPose(pose);
+    const auto result = reconstruct(*session.snapshot(), test::by(GetParam()));
+    for (const Finding& finding : result->findings) EXPECT_EQ(finding.severity, Severity::Info) << finding.code;
+    const std::vector<Comparison> compared = compareToTruth(*result, *drawn.truth());
+    ASSERT_THAT(compared, SizeIs(1));
+    EXPECT_EQ(compared.front().cells.size(), 5U);
+    EXPECT_LT(compared.front().orientation_rms_rad, 2.5 * kDegree) << of_odd_ports;
+  }
+}
+
 /// Orientations of the tree, on the average over the cells and against the joint estimate from the same readings, by
 /// default and as in the paper: support axes pull links towards straight that two directions of gravity show well.
 TEST(RealTree, IsNotWorseByDefaultThanThePapersMethod) {

@@ -36,19 +36,34 @@ void expectNear(const Reconstruction& result, const PinJointedSkin& skin, double
 }
 
 TEST_P(EverySolver, NoiseFreeX17ComesBackButForPriors) {
-  const PinJointedSkin skin = bentX17();
-  for (const std::size_t poses : {2U, 3U, 6U}) {
-    const auto result = solve(skin.session(orthogonalUps(poses)));
-    ASSERT_THAT(result->patches, SizeIs(1));
-    EXPECT_EQ(result->patches.front().origin, CellId(1));
-    EXPECT_THAT(result->patches.front().gravity, SizeIs(poses));
-    // With two poses little holds the global solver against its prior.
-    if (poses > 2 || GetParam() == Solver::Tree) {
-      expectNear(*result, skin, exactOr((poses < 6 ? 0.1 : 0.025) * kDegree),
-                 exactOr((poses < 6 ? 0.08 : 0.03) * kMillimetre));
+  for (const PinJointedSkin& skin : {bentX17(), bentX17(modelOfStepsAndFolds())}) {
+    for (const std::size_t poses : {2U, 3U, 6U}) {
+      const auto result = solve(skin.session(orthogonalUps(poses)));
+      ASSERT_THAT(result->patches, SizeIs(1));
+      EXPECT_EQ(result->patches.front().origin, CellId(1));
+      EXPECT_THAT(result->patches.front().gravity, SizeIs(poses));
+      // With two poses little holds the global solver against its prior.
+      if (poses > 2 || GetParam() == Solver::Tree) {
+        expectNear(*result, skin, exactOr((poses < 6 ? 0.1 : 0.025) * kDegree),
+                   exactOr((poses < 6 ? 0.08 : 0.03) * kMillimetre));
+      }
+      EXPECT_THAT(*result, IsFinite());
+      EXPECT_TRUE(result->findings.empty());
     }
-    EXPECT_THAT(*result, IsFinite());
-    EXPECT_TRUE(result->findings.empty());
+  }
+}
+
+/// Ports that look down by 22.5 degrees close eight cells to a ring in which no link is bent.
+TEST_P(EverySolver, PortsWithHeightFoldARingBeforeAnythingIsMeasured) {
+  const double height_m = -std::tan(22.5 * kDegree) * std::hypot(0.012, 0.007);
+  PinJointedSkin ring = ringOfEight(0, modelOfHeights({0, height_m, height_m, 0}));
+  ring.connect(kRingLast, kRingFirst);
+  for (const std::size_t poses : {0U, 1U, 3U}) {
+    const auto result = solve(ring.session(orthogonalUps(poses)));
+    expectNear(*result, ring, 1e-6, 1e-8);
+    for (const LinkEstimate& link : result->patches.front().links) {
+      EXPECT_LT(std::hypot(link.twist_rad, link.bend_rad, link.yaw_rad), 1e-6);
+    }
   }
 }
 

@@ -112,7 +112,7 @@ class LoopSearch {
 
   void addOpen(PatchId patch, const FreePort& first, const FreePort& second, std::vector<FoundLoop>& loops) {
     const std::vector<ResultEdge> chain = chainBetween(first.end, second.end);
-    if (chain.empty()) return;
+    if (chain.size() < 2) return;  // two joined cells may have more ports that face each other
     FoundLoop loop = begin(patch, first.end, second.end, chain);
     loop.closure.gap_m = first.point - second.point;
     loop.closure.loop_length_m +=

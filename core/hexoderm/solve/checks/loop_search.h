@@ -20,8 +20,8 @@ struct FoundLoop {
 
 /// The loops of every patch, those with the largest gaps first, open ones before closed ones; empty: no patch has one.
 ///
-/// Open: pairs of free ports of two cells of a patch that face each other, closed as by evaluateLoop(). Their link
-/// points are no further apart than half a pitch, the longest port vector, because a whole one leaves room for a cell;
+/// Open: pairs of free ports of two cells of a patch, not joined, that face each other, closed by evaluateLoop(). Their
+/// link points are no further apart than half a pitch, the longest port vector, as a whole one leaves room for a cell;
 /// and each points at the centre of the other's cell to within 45 degrees. In a ring that is half of a link's bend: 36
 /// degrees with five cells.
 ///

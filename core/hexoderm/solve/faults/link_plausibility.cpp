@@ -14,7 +14,7 @@ namespace {
 /// parts. Small angles stay the same. The parts of one large rotation vector no longer tell which angle was turned how
 /// far: cells folded by 84 degrees and yawed by -141 would come out as bent by 45 and twisted by 94.
 LinkAngles separated(const LinkAngles& angles) {
-  // In the basis u_c, z x u_c, z.
+  // In the basis of linkAxes().
   const Eigen::Quaterniond whole(expSO3({angles.twist_rad, angles.bend_rad, angles.yaw_rad}));
   const double yaw_rad = std::remainder(2 * std::atan2(whole.z(), whole.w()), 2 * kPi);
   const Eigen::Quaterniond yaw(Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ()));

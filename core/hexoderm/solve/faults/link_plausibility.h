@@ -14,8 +14,8 @@ namespace hexoderm {
 /// deviations of the rotation.
 ///
 /// `angles` are the parts of one rotation vector (LinkAngles). They are judged, and given in the text, as a yaw about z
-/// followed by a tilt with its parts twist and bend, which is the same for small angles and tells large ones apart.
-/// Exact for ports in the cell's plane.
+/// followed by a tilt with its parts twist and bend, which is the same for small angles and tells large ones apart. z
+/// stands for the third of the linkAxes().
 std::vector<Finding> judgeLinkAngles(const LinkAngles& angles, LinkEnd source, LinkEnd target, const CellModel& model,
                                      const SolverOptions& options, const LinkAngles& sigma_rad);
 

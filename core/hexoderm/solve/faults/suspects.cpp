@@ -14,9 +14,9 @@ constexpr double kJudgeableSigma = 15 * kDegree;
 
 /// Deviations of a link's angles. `covariance`: of its rotation, in the source's frame.
 LinkAngles anglesSigma(const Eigen::Matrix3d& covariance, const Port& source) {
-  const Eigen::Vector3d u = source.vector_m.normalized();
-  const auto along = [&](const Eigen::Vector3d& axis) { return std::sqrt(axis.dot(covariance * axis)); };
-  return {along(u), along(Eigen::Vector3d::UnitZ().cross(u).normalized()), along(Eigen::Vector3d::UnitZ())};
+  const Eigen::Matrix3d axes = linkAxes(source);
+  const auto along = [&](int k) { return std::sqrt(axes.col(k).dot(covariance * axes.col(k))); };
+  return {along(0), along(1), along(2)};
 }
 
 }  // namespace

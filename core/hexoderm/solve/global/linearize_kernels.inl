@@ -538,13 +538,18 @@ void links(const LinearizeSetting& setting, const LinkLanes& links) {
       is_small ? all(1.0 / 12.0) : 1.0 / angle_squared - turn.cosine / (2.0 * rootOf(angle_squared) * turn.sine);
 
   Vector elastomer;
-  Matrix whitened;  // axes^T (1 - [w]x / 2 + second [w]x^2), axes: u_c, z x u_c and z in their precisions
+  Matrix whitened;  // axes^T (1 - [w]x / 2 + second [w]x^2), axes: those of linkAxes() in their precisions
   {
+    const Lanes level = levelPart(u_c.x[0], u_c.x[1], u_c.x[2]);
+    const Lanes bend = setting.bend_precision / level;
+    const Lanes yaw = setting.yaw_precision * u_c.x[2] / level;
     Matrix axes_t = {};
     for (int j = 0; j < 3; ++j) axes_t.m[0][j] = setting.twist_precision * u_c.x[j];
-    axes_t.m[1][0] = -setting.bend_precision * u_c.x[1];
-    axes_t.m[1][1] = setting.bend_precision * u_c.x[0];
-    axes_t.m[2][2] = all(setting.yaw_precision);
+    axes_t.m[1][0] = -bend * u_c.x[1];
+    axes_t.m[1][1] = bend * u_c.x[0];
+    axes_t.m[2][0] = -yaw * u_c.x[0];
+    axes_t.m[2][1] = -yaw * u_c.x[1];
+    axes_t.m[2][2] = setting.yaw_precision * level;
     elastomer = axes_t * w;
     const Matrix once = timesSkew(axes_t, w);
     const Matrix twice = timesSkew(once, w);

@@ -396,9 +396,10 @@ HEXODERM_INLINE void estimate(const EdgeKernelOptions& options, const EdgeKernel
   const Lanes stretch = all(0.5) * (one + tangent * tangent) * arcTangentShare(tangent);
   for (int k = 0; k < 3; ++k) w[k] = w[k] * stretch;
   const Lanes u[3] = {at(in.outward, 0), at(in.outward, 1), at(in.outward, 2)};
+  const Lanes level = levelPart(u[0], u[1], u[2]);  // the axes are those of linkAxes()
   store(out.angles_rad + lane, dot(w, u));
-  store(out.angles_rad + kLanes + lane, w[1] * u[0] - w[0] * u[1]);
-  store(out.angles_rad + 2 * kLanes + lane, w[2]);
+  store(out.angles_rad + kLanes + lane, (w[1] * u[0] - w[0] * u[1]) / level);
+  store(out.angles_rad + 2 * kLanes + lane, level * w[2] - u[2] / level * (w[0] * u[0] + w[1] * u[1]));
   const Mask has_angles = (trace_and_one > one) & (all(kMaxTangent) > tangent);
   store(out.has_angles + lane, has_angles ? one : zero);
 

@@ -20,7 +20,7 @@ constexpr double kShortestCentred_g = 0.05;                 // a shorter differe
 constexpr double kUnsupportedInformation = 1e-9;
 constexpr double kMinVariance_g2 = 1e-18;  // readings without noise weigh alike
 
-/// The gap's axes in the source frame: outward, z x outward, z. Seen from the target the link comes in, hence the
+/// The gap's axes in the source frame, those of linkAxes(). Seen from the target the link comes in, hence the
 /// nominal alignment: its columns in the target frame are R_nom^T times these.
 Eigen::Matrix3d gapAxes(const Port& source) {
   Eigen::Matrix3d axes;

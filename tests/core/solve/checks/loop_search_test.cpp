@@ -68,6 +68,13 @@ TEST(LoopSearch, ATreeHasNoLoop) {
   EXPECT_THAT(findLoops(Reconstruction()), IsEmpty());
 }
 
+TEST(LoopSearch, JoinedCellsWithMorePortsOnTheirSidesAreNoLoop) {
+  CellModel model = builtInCellModel("hex-bma150");
+  model.ports.push_back({PortNumber(5), {0.012, -0.006, 0}});
+  model.ports.push_back({PortNumber(6), {-0.012, 0.008, 0}});
+  EXPECT_THAT(findLoops(*solvedBy(ringOfEight(20 * kDegree, model))), IsEmpty());
+}
+
 TEST(LoopSearch, ASheetHasEveryIndependentLoopOnceTheWorstFirst) {
   const auto result = reconstruct(*test::simulatedSession(test::skinOptions("sheet:4x5"), 3).snapshot());
   const std::vector<FoundLoop> loops = findLoops(*result);

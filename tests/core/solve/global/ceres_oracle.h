@@ -107,11 +107,10 @@ struct ElastomerCost {
     const T wxyz[] = {turn.w(), turn.x(), turn.y(), turn.z()};
     Vector3<T> w;
     ceres::QuaternionToAngleAxis(wxyz, w.data());
-    const Eigen::Vector3d u = link.p_c.normalized();
-    const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(u);
-    residual[0] = w.dot(u.cast<T>()) / T(model.twist_sigma_rad);
-    residual[1] = w.dot(across.cast<T>()) / T(model.bend_sigma_rad);
-    residual[2] = w.z() / T(model.yaw_sigma_rad);
+    const Eigen::Matrix3d axes = linkAxes({PortNumber(), link.p_c});
+    residual[0] = w.dot(axes.col(0).cast<T>()) / T(model.twist_sigma_rad);
+    residual[1] = w.dot(axes.col(1).cast<T>()) / T(model.bend_sigma_rad);
+    residual[2] = w.dot(axes.col(2).cast<T>()) / T(model.yaw_sigma_rad);
     return true;
   }
 };

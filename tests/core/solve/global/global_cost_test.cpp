@@ -3,6 +3,7 @@
 #include "hexoderm/solve/global/linearize_kernels.h"
 #include "tests/core/solve/global/joint_case.h"
 #include "tests/support/matchers.h"
+#include "tests/support/pin_jointed_skin.h"
 #include "tests/support/testing.h"
 
 #include <Eigen/Eigenvalues>
@@ -132,6 +133,16 @@ TEST(GlobalCost, GradientIsRightWhereLinksAreStraight) {
     for (std::size_t cell = 1; cell < state.cells.size(); ++cell) state.cells[cell].t += Eigen::Vector3d(1e-4, 0, 2e-4);
     for (Eigen::Vector3d& force : state.force_o) force += Eigen::Vector3d(0.01, 0.02, 0.01);
     EXPECT_LT(gradientError(example.problem, state), 1e-7) << nameOf(gap);
+  }
+}
+
+TEST(GlobalCost, GradientIsRightWherePortsHaveHeight) {
+  for (const GapShare& gap : kGaps) {
+    GlobalCase example = exactX17(modelOfStepsAndFolds(), gap.mean, 0.5, 0.2, 0.03, 1);
+    example.problem.gap = gap;
+    addExactReadings(example, {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX()});
+    EXPECT_LT(gradientError(example.problem, perturbed(example.problem, example.truth, 0.1, 0.001, 1)), 1e-6)
+        << nameOf(gap);
   }
 }
 

@@ -92,12 +92,10 @@ inline GlobalCase exactX17(CellModel model, double share, double bend_sigma_rad,
     for (int k = 0; k < 4; ++k) {
       const std::size_t next = example.truth.cells.size();
       const GlobalLink link = makeLink(*example.model, from, out, next, in);
-      const Eigen::Vector3d u = link.p_c.normalized();
-      const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
       const double bend = bend_sigma_rad * draw.normal();
       const double twist = twist_sigma_rad * draw.normal();
-      const Eigen::Matrix3d R_c_n =
-          expSO3(twist * u + bend * z.cross(u) + yaw_sigma_rad * draw.normal() * z) * link.R_nom;
+      const Eigen::Vector3d angles(twist, bend, yaw_sigma_rad * draw.normal());
+      const Eigen::Matrix3d R_c_n = expSO3(linkAxes({PortNumber(), link.p_c}) * angles) * link.R_nom;
       example.truth.cells.push_back(placeByLink(example.truth.cells[from], link, R_c_n, share));
       example.problem.links.push_back(link);
       from = next;

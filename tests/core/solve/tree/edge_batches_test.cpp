@@ -39,12 +39,14 @@ void expectSame(const EdgeRotation& a, const EdgeRotation& b, double tolerance) 
   EXPECT_NEAR(a.angles.yaw_rad, b.angles.yaw_rad, tolerance);
 }
 
-/// A skin on a cylinder with all errors of its sensors, of their lot and of the hand.
+/// A skin on a cylinder with all errors of its sensors, of their lot and of the hand. One of its cells' ports has a
+/// height.
 class Sheet {
  public:
   explicit Sheet(std::size_t poses, SolverOptions options = {}) : options_(std::move(options)) {
     CellModel model = builtInCellModel("hex-bma150");
     model.accelerometer.offset_shared_sigma_g = 0.03;
+    model.ports.front().vector_m.z() = -0.004;
     SimulatedSkin skin(std::move(model), test::skinOptions("sheet:9x10", "cylinder:r=0.1", 5));
     snapshot_ = simulateSession(skin, poses, 20).snapshot();
     links_ = std::make_unique<SkinLinks>(*snapshot_, options_, findings_);
