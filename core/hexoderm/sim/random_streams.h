@@ -27,7 +27,8 @@ enum class Stream : std::uint32_t {
   Lot,
   RobotZero,
   RobotPose,
-  RobotSkin
+  RobotSkin,
+  Drift
 };
 
 /// The stream's generator for what `keys` number (a recording, a cell ...).
