@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -92,6 +93,9 @@ constexpr double kRuledOut = 5.99;
 constexpr double kBlind_rad = 10 * kDegree;
 /// A cell about which no smaller turn would be noticed, but for one axis, tells nothing.
 constexpr double kTellsNothing_rad = 20 * kDegree;
+
+/// Share of checks of unchanged skins that name a cell.
+constexpr double kFalseAlarms = 0.005;
 
 constexpr double square(double x) { return x * x; }
 
@@ -215,6 +219,9 @@ class CalibrationChecker {
 
   CalibrationCheck run() {
     for (const std::size_t pose : table_.enabledPoses()) check_.poses.push_back(today_.poses[pose].capture->id);
+    // Of each cell two numbers are looked at (ViewComparison::deviate()).
+    const double tests = 2 * static_cast<double>(std::max<std::size_t>(1, graph_.cells().size()));
+    check_.changed_from = quantile(complement(boost::math::normal(), kFalseAlarms / tests));
     judgeReadings();
     for (const PatchReconstruction& patch : calibration_.patches) checkPatch(patch);
     std::ranges::sort(check_.cells, {}, &CheckedCell::cell);
@@ -259,7 +266,7 @@ class CalibrationChecker {
       }
     }
     const Accelerometer& sensor = today_.model->accelerometer;
-    const Consensus consensus(views, check_.poses.size(), kChangedFrom,
+    const Consensus consensus(views, check_.poses.size(), check_.changed_from,
                               {sensor.offset_drift_shared_sigma_g, sensor.offset_instability_shared_sigma_g});
     if (views.size() < 2) {
       for (const CellView& view : views) {
@@ -356,9 +363,10 @@ class CalibrationChecker {
     checked.cell = view.cell;
     checked.poses = view.poses.size();
     checked.deviate = comparison.deviate();
-    const NoticedTurn noticed = noticedTurn(comparison, kChangedFrom);
+    const NoticedTurn noticed = noticedTurn(comparison, check_.changed_from);
     checked.noticed_turn_rad = noticed.any_axis_rad;
-    if (checked.deviate > kChangedFrom) {
+    checked.turn_information = comparison.turnInformation();
+    if (checked.deviate > check_.changed_from) {
       explain(view, comparison, checked);
     } else if (noticed.two_axes_rad.value_or(kPi) > kTellsNothing_rad) {
       checked.words = message("can't be told: its calibration is too uncertain");
@@ -372,7 +380,7 @@ class CalibrationChecker {
   void explain(const CellView& view, const ViewComparison& comparison, CheckedCell& checked) {
     const TurnFit turn = fitTurn(comparison);
     const DriftFit drift = fitDrift(view, comparison);
-    if (std::min(turn.left.deviate(), drift.left.deviate()) > kChangedFrom) {
+    if (std::min(turn.left.deviate(), drift.left.deviate()) > check_.changed_from) {
       checked.change = CellChange::Broken;
       checked.words = message("broken: neither a turn nor a drift of its offset explains what it reads");
       changed_meanwhile_ = changed_meanwhile_ || view.poses.size() > 1;
