@@ -363,9 +363,10 @@ TEST_F(CalibratedX17, ACalibrationByTheTreeHoldsNoOffsetsAndShowsLess) {
               ElementsAre(CellId(8)));
 }
 
-/// Of a simulated skin, calibrated in four poses before cells are reglued.
+/// Of a simulated skin, calibrated in four poses before cells are reglued and offsets drift.
 CalibrationCheck simulatedCheck(SimulatedSkinOptions options) {
   options.reglued_before = 4;
+  options.drifts_after = 4;
   SimulatedSkin skin = test::simulatedSkin(options);
   const auto calibration = reconstruct(*simulateSession(skin, options.reglued_before).snapshot());
   Session today = beginSimulatedSession(skin);

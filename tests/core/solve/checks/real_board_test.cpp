@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kDays = 4;
 constexpr std::size_t kHolds = 20;
-constexpr std::size_t kDraws = test::kSlowBuild ? 1 : 6;
+constexpr std::size_t kDraws = test::kSlowBuild ? 1 : 3;
 
 /// Pairs of days, of which a calibration is made of some holds of the first and checked by some of the second.
 class RealBoard : public ::testing::TestWithParam<const char*> {
