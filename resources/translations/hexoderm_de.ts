@@ -5597,6 +5597,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>verändert: {}, oder {}; diese Posen können das nicht unterscheiden</translation>
     </message>
     <message>
+        <source>The offsets of all sensors drifted together by {} +- {}; that is no change.</source>
+        <translation>Die Offsets aller Sensoren sind gemeinsam um {} ± {} gedriftet; das ist keine Veränderung.</translation>
+    </message>
+    <message>
         <source>The {} of the calibration is no longer reported.</source>
         <translation>Nicht mehr gemeldet wird, was die Kalibrierung noch hat: {}.</translation>
     </message>

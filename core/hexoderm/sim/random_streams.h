@@ -28,7 +28,8 @@ enum class Stream : std::uint32_t {
   RobotZero,
   RobotPose,
   RobotSkin,
-  Mounting
+  Mounting,
+  Drift
 };
 
 /// The stream's generator for what `keys` number (a recording, a cell ...).

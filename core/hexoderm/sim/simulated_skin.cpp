@@ -171,6 +171,7 @@ struct SimulatedSkin::State {
     std::size_t recording = 0;
     std::size_t tick = 0;
     std::function<BodyMotion(double time_s)> carried{};  ///< instead of `motion`
+    std::vector<Eigen::Vector3d> drift_g{};              ///< of every cell's offset
 
     [[nodiscard]] BodyMotion at(double time_s) const { return carried ? carried(time_s) : motion.at(time_s); }
   };
@@ -195,8 +196,14 @@ struct SimulatedSkin::State {
     HandMotion motion = in_hand ? HandMotion(up, options, hand_random) : HandMotion(up);
     // A hand holds the part near its middle, not in it.
     const Eigen::Vector3d hand_b = middle_b + kHandOffset_m * NormalSource(hand_random).nextVector();
-    return {std::move(motion), hand_b, randomStream(options.seed, Stream::Noise, recording),
-            !bent_sensors.empty() && recording % 2 == 1, recording};
+    return {std::move(motion),
+            hand_b,
+            randomStream(options.seed, Stream::Noise, recording),
+            !bent_sensors.empty() && recording % 2 == 1,
+            recording,
+            0,
+            {},
+            driftIn(recording)};
   }
   Hold hold(const CarriedBody& body) {
     const std::size_t recording = recordings++;
@@ -206,7 +213,22 @@ struct SimulatedSkin::State {
             !bent_sensors.empty() && recording % 2 == 1,
             recording,
             0,
-            body.motion};
+            body.motion,
+            driftIn(recording)};
+  }
+  /// What the cells' offsets have changed by in a recording.
+  [[nodiscard]] std::vector<Eigen::Vector3d> driftIn(std::size_t recording) const {
+    std::vector<Eigen::Vector3d> drift_g(truth.size(), Eigen::Vector3d::Zero());
+    if (!options.drifts_after) return drift_g;
+    const auto add = [&](std::size_t drawn_for, double shared_sigma_g, double own_sigma_g) {
+      NormalSource random(randomStream(options.seed, Stream::Drift, drawn_for));
+      const Eigen::Vector3d shared_g = shared_sigma_g * random.nextVector();
+      for (Eigen::Vector3d& of_cell_g : drift_g) of_cell_g += shared_g + own_sigma_g * random.nextVector();
+    };
+    const Accelerometer& a = model.accelerometer;
+    add(recording + 1, a.offset_instability_shared_sigma_g, a.offset_instability_sigma_g);
+    if (recording >= *options.drifts_after) add(0, a.offset_drift_shared_sigma_g, a.offset_drift_sigma_g);
+    return drift_g;
   }
   void record(Hold holding, std::size_t frame_count, const FrameSink& take) {
     NormalSource noise(holding.noise);
@@ -265,7 +287,7 @@ struct SimulatedSkin::State {
         const Eigen::Matrix3d& R_b_u = truth[c].T_b_u.R;
         force_b = R_b_u * cell.turn->transpose() * R_b_u.transpose() * force_b;
       }
-      Eigen::Vector3d reading = sensor.gain_R_a_b * force_b + sensor.offset_g;
+      Eigen::Vector3d reading = sensor.gain_R_a_b * force_b + sensor.offset_g + holding.drift_g[c];
       reading += vibration;
       reading = cell.sensed(reading) + cell.noiseFactor() * white_g * unit_noise;
       reading = cell.sent(asOutput(reading));

@@ -57,6 +57,9 @@ struct SimulatedSkinOptions : SkinChoice {
   double least_vibration_g = 0.008;       ///< on a robot: rms of an axis, drawn per cell and axis from this ...
   double most_vibration_g = 0.035;        ///< ... to this
   std::size_t reglued_before = 2;         ///< recordings before the one that Reglued cells turn in front of
+  /// Recordings of a first session, if offsets drift: by the cell model's sigmas from one recording to the next, and
+  /// between this session and a second one. Absent: they stay what they are.
+  std::optional<std::size_t> drifts_after{};
   double joint_angle_rad = 20 * kDegree;  ///< positive bends the part's front outwards, as around a cylinder
 
   /// Throws InvalidArgument naming the option.

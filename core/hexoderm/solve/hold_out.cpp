@@ -40,19 +40,18 @@ struct Seen {
   Eigen::Vector3d at_o;  ///< position of the cell, m
   Eigen::Vector3d force_o_g;
   Eigen::Matrix3d covariance_g2;  ///< covariance of force_o_g
+  Eigen::Matrix3d drift_o;        ///< derivative of force_o_g by the sensor's offset
 };
 
-/// The most probable motion given what some cells see, and its covariance.
-struct MotionFit {
-  Matrix6d information = Matrix6d::Zero();
-  PartMotion right = PartMotion::Zero();
+/// What the cells most probably share given what some of them see, and its covariance.
+struct SharedFit {
+  Eigen::Matrix<double, kShared, kShared> information;
+  SharedByCells right = SharedByCells::Zero();
 
-  MotionFit() {
-    information.diagonal().tail<3>().setConstant(1 / (kAngularAccelerationSigma * kAngularAccelerationSigma));
-  }
+  explicit SharedFit(const SharedDrift& drift) : information(sharedPrior(1, drift)) {}
   void add(const Seen& seen, double sign) {
-    const PartMotionJacobian X = motionJacobian(seen.at_o);
-    const PartMotionJacobian weighted = seen.covariance_g2.llt().solve(X);
+    const SharedJacobian X = sharedJacobian(seen.at_o, seen.drift_o);
+    const SharedJacobian weighted = seen.covariance_g2.llt().solve(X);
     information += sign * X.transpose() * weighted;
     right += sign * weighted.transpose() * seen.force_o_g;
   }
@@ -78,27 +77,29 @@ class HoldOut {
       if (const std::optional<Seen> view = look(patch, cell)) seen.push_back(*view);
     }
     if (seen.size() < 2) return;
-    MotionFit all;
+    // The pose's common offset less the mean of the others'.
+    SharedFit all({0, model_.accelerometer.offset_instability_shared_sigma_g *
+                          std::sqrt(1 + 1 / static_cast<double>(result.other_poses))});
     for (const Seen& view : seen) all.add(view, 1);
     std::unordered_map<CellId, const Seen*> by_cell;
     for (const Seen& view : seen) {
       by_cell.emplace(view.cell, &view);
-      MotionFit others = all;
+      SharedFit others = all;
       others.add(view, -1);
-      const Eigen::LDLT<Matrix6d> factor(others.information);
-      const PartMotionJacobian X = motionJacobian(view.at_o);
+      const Eigen::LDLT<Eigen::Matrix<double, kShared, kShared>> factor(others.information);
+      const SharedJacobian X = sharedJacobian(view.at_o, view.drift_o);
       const Eigen::Vector3d foretold = X * factor.solve(others.right);
       const Eigen::Matrix3d covariance = view.covariance_g2 + X * factor.solve(X.transpose());
       result.cells.push_back(
           {view.cell, angleBetween(view.force_o_g, foretold), std::sqrt(squareAcross(covariance, view.force_o_g))});
     }
-    const PartMotion motion = all.information.ldlt().solve(all.right);
-    result.turning_rad_s2 = std::max(result.turning_rad_s2, motion.tail<3>().norm() * kStandardGravity);
+    const SharedByCells shared = all.information.ldlt().solve(all.right);
+    result.turning_rad_s2 = std::max(result.turning_rad_s2, shared.segment<3>(3).norm() * kStandardGravity);
     for (const LinkEstimate& link : patch.links) {
       const auto c = by_cell.find(link.source.cell);
       const auto n = by_cell.find(link.target.cell);
       if (!link.used || c == by_cell.end() || n == by_cell.end()) continue;
-      addLink(link, *c->second, *n->second, motion, result);
+      addLink(link, *c->second, *n->second, shared, result);
     }
   }
 
@@ -115,10 +116,10 @@ class HoldOut {
     return (covariance.trace() - along.dot(covariance * along)) / v.squaredNorm();
   }
 
-  static void addLink(const LinkEstimate& link, const Seen& c, const Seen& n, const PartMotion& motion,
+  static void addLink(const LinkEstimate& link, const Seen& c, const Seen& n, const SharedByCells& shared,
                       HoldOutResult& result) {
-    const Eigen::Vector3d swing = motion.tail<3>();
-    const Eigen::Vector3d at_c = n.force_o_g + swing.cross(c.at_o - n.at_o);
+    const Eigen::Vector3d at_c =
+        n.force_o_g + (sharedJacobian(c.at_o, c.drift_o) - sharedJacobian(n.at_o, n.drift_o)) * shared;
     result.links.push_back({link.source, link.target, angleBetween(c.force_o_g, at_c),
                             std::sqrt(squareAcross(c.covariance_g2 + n.covariance_g2, c.force_o_g))});
   }
@@ -158,7 +159,7 @@ class HoldOut {
         J * errorsOfCell(priors, placing, fit.gain, joint_ ? CellEstimate::Joint : CellEstimate::Tree) * J.transpose();
     covariance.diagonal().array() += ownVariance(*index, left_out_);
     const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
-    return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose()};
+    return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose(), to_o};
   }
 
   /// A pose's scatter of single samples: the median over its cells, and its standard error as a share of it.
@@ -212,12 +213,13 @@ class HoldOut {
   }
 
   /// Variance that the sensor's own noise leaves in a mean of a cell, per axis, without tremor: it falls with the
-  /// length of the window.
+  /// length of the window, down to that of the offset's instability.
   [[nodiscard]] double ownVariance(std::size_t cell, std::size_t pose) const {
     constexpr double kMin_g2 = 1e-12;  // a model may have neither noise nor steps
     const GravityTable::Entry& entry = table_.at(cell, pose);
     const double own_g2 = noise_g2_[cell] > 0 ? noise_g2_[cell] / entry.count : entry.own_variance_g2;
-    return std::max(own_g2, kMin_g2);
+    const double unstable_g = model_.accelerometer.offset_instability_sigma_g;
+    return std::max(own_g2, kMin_g2) + unstable_g * unstable_g;
   }
 
   /// Ports at which the cell has links that are not muted.

@@ -22,6 +22,7 @@ SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed) {
   options.faults = skin_case.faults;
   options.link_faults = skin_case.link_faults;
   options.whole_skin_faults = skin_case.whole_skin_faults;
+  options.drifts_after = skin_case.drifts_after;
   options.reglued_before = skin_case.poses == 0 ? 0 : skin_case.poses - 1;
   if (!skin_case.jitter) options.position_jitter_m = options.yaw_jitter_rad = options.tilt_jitter_rad = 0;
   return {std::move(model), options};

@@ -30,6 +30,7 @@ struct SkinCase {
   std::vector<CellFault> faults = {};
   std::vector<LinkFault> link_faults = {};
   std::vector<WholeSkinFault> whole_skin_faults = {};
+  std::optional<std::size_t> drifts_after = {};
 };
 
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);

@@ -89,6 +89,38 @@ TEST(SimulatedReadings, SensorErrorsHaveTheModelsSpread) {
   EXPECT_NEAR(std::sqrt(cross / (6 * count)) / 0.005, 1, 0.04);
 }
 
+TEST(SimulatedReadings, OffsetsDriftWithTheModelsSigmasOwnAndShared) {
+  constexpr std::size_t kSession = 30;  // recordings
+  SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
+  options.patch = "sheet:10x10";
+  SimulatedSkin still(kModel, options);
+  options.drifts_after = kSession;
+  SimulatedSkin skin(kModel, options);
+  // Per recording, what each cell reads more than it would.
+  std::vector<std::vector<Eigen::Vector3d>> drift;
+  std::vector<Eigen::Vector3d> shared;
+  double own = 0;
+  for (std::size_t k = 0; k < 2 * kSession; ++k) {
+    const SampleFrame drifted = skin.record(kUp, 1).front();
+    const SampleFrame same = still.record(kUp, 1).front();
+    drift.emplace_back();
+    for (std::size_t cell = 0; cell < same.samples.size(); ++cell) {
+      drift.back().push_back(drifted.samples[cell].acceleration_g - same.samples[cell].acceleration_g);
+    }
+    shared.push_back(meanOf(drift.back()));
+    if (k < kSession) own += scatterOf(drift.back()).squaredNorm() / (3 * kSession);
+  }
+  const Accelerometer& a = kModel.accelerometer;
+  EXPECT_NEAR(std::sqrt(own), a.offset_instability_sigma_g, 0.05 * a.offset_instability_sigma_g);
+  const std::vector<Eigen::Vector3d> first(shared.begin(), shared.begin() + kSession);
+  const std::vector<Eigen::Vector3d> second(shared.begin() + kSession, shared.end());
+  EXPECT_NEAR(scatterOf(first).norm() / std::sqrt(3.0), a.offset_instability_shared_sigma_g, 0.0006);
+  EXPECT_NEAR(scatterOf(second).norm() / std::sqrt(3.0), a.offset_instability_shared_sigma_g, 0.0006);
+  EXPECT_NEAR(scatterOf(drift.back()).norm() / std::sqrt(3.0), a.offset_drift_sigma_g, 0.1 * a.offset_drift_sigma_g);
+  EXPECT_GT((meanOf(second) - meanOf(first)).norm(), 0.002) << "all drifted together between the sessions";
+  EXPECT_LT((meanOf(second) - meanOf(first)).norm(), 0.020);
+}
+
 TEST(SimulatedReadings, NoiseIsWhiteWithTheSensorsDensityAndQuantised) {
   SimulatedSkin skin(kModel, SimulatedSkinOptions());
   const std::vector<SampleFrame> frames = skin.record(kUp, 4000);

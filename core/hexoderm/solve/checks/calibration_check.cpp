@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -93,6 +94,11 @@ constexpr double kBlind_rad = 10 * kDegree;
 /// A cell about which no smaller turn would be noticed, but for one axis, tells nothing.
 constexpr double kTellsNothing_rad = 20 * kDegree;
 
+/// Share of checks of unchanged skins that name a cell.
+constexpr double kFalseAlarms = 0.005;
+
+constexpr double square(double x) { return x * x; }
+
 /// What the readings alone say against a sensor.
 Message brokenText(FindingCode code) {
   switch (code) {
@@ -175,17 +181,21 @@ class CalibratedCells {
   }
 
   /// The readings that the cell was placed by, as far as the calibration tells: their gravity, and the variance with
-  /// which the solver weighed those of a pose, which holds more than the sensor's own noise (GravityTable).
+  /// which the solver weighed those of a pose, which holds more than the sensor's own noise (GravityTable). What
+  /// offsets changed by from pose to pose counts as each cell's own.
   [[nodiscard]] std::vector<PlacingReading> readingsOf(const PatchReconstruction& patch, const CellPlacement& cell,
                                                        double own_g2) const {
     const Eigen::Matrix3d R_a_o = (cell.T_o_u.R * model_.accelerometer.T_u_a.R).transpose();
     const std::vector<bool> measured = measuredIn(patch, cell.cell);
+    const Accelerometer& sensor = model_.accelerometer;
+    const double scatter_g2 =
+        own_g2 + square(sensor.offset_instability_sigma_g) + square(sensor.offset_instability_shared_sigma_g);
     std::vector<PlacingReading> readings;
     for (const GravityDirection& gravity : patch.gravity) {
       const auto place = place_of_.find(gravity.pose);
       if (place == place_of_.end() || !measured[place->second]) continue;
       const double noise_g = std::max(calibration_.poses[place->second].noise_g, kTremorFloor_g);
-      readings.push_back({R_a_o * gravity.g_o, noise_g * noise_g, std::min(noise_g * noise_g, own_g2)});
+      readings.push_back({R_a_o * gravity.g_o, square(noise_g), std::min(square(noise_g), scatter_g2)});
     }
     return readings;
   }
@@ -209,6 +219,9 @@ class CalibrationChecker {
 
   CalibrationCheck run() {
     for (const std::size_t pose : table_.enabledPoses()) check_.poses.push_back(today_.poses[pose].capture->id);
+    // Of each cell two numbers are looked at (ViewComparison::deviate()).
+    const double tests = 2 * static_cast<double>(std::max<std::size_t>(1, graph_.cells().size()));
+    check_.changed_from = quantile(complement(boost::math::normal(), kFalseAlarms / tests));
     judgeReadings();
     for (const PatchReconstruction& patch : calibration_.patches) checkPatch(patch);
     std::ranges::sort(check_.cells, {}, &CheckedCell::cell);
@@ -252,7 +265,9 @@ class CalibrationChecker {
         views.push_back(look(patch, cell));
       }
     }
-    const Consensus consensus(views, check_.poses.size(), kChangedFrom);
+    const Accelerometer& sensor = today_.model->accelerometer;
+    const Consensus consensus(views, check_.poses.size(), check_.changed_from,
+                              {sensor.offset_drift_shared_sigma_g, sensor.offset_instability_shared_sigma_g});
     if (views.size() < 2) {
       for (const CellView& view : views) {
         check_.cells.push_back(
@@ -271,6 +286,10 @@ class CalibrationChecker {
       return;
     }
     for (std::size_t k = 0; k < views.size(); ++k) check_.cells.push_back(judge(views[k], consensus.compare(k)));
+    if (const auto drift = consensus.commonDrift()) {
+      check_.remarks.push_back(message("The offsets of all sensors drifted together by {} +- {}; that is no change.",
+                                       MilliG{drift->offset_g.norm()}, MilliG{drift->sigma_g}));
+    }
   }
 
   /// A cell that does not take part in the comparison, if it is one.
@@ -330,8 +349,12 @@ class CalibrationChecker {
       jacobian.middleRows<3>(row) = view.drift_o * readingJacobian(gain, v.normalized());
       noise_g2.segment<3>(row).setConstant(std::max(entry.own_variance_g2, kMin_g2));
     }
-    view.covariance_g2 = jacobian * cells_.errorsOf(patch, cell, noise_g2.mean()) * jacobian.transpose();
+    const Accelerometer& sensor = today_.model->accelerometer;
+    CellErrors errors = cells_.errorsOf(patch, cell, noise_g2.mean());
+    for (const int offset : kOffsets) errors(offset, offset) += square(sensor.offset_drift_sigma_g);
+    view.covariance_g2 = jacobian * errors * jacobian.transpose();
     view.covariance_g2.diagonal() += noise_g2;
+    view.covariance_g2.diagonal().array() += square(sensor.offset_instability_sigma_g);
     return view;
   }
 
@@ -339,10 +362,11 @@ class CalibrationChecker {
     CheckedCell checked;
     checked.cell = view.cell;
     checked.poses = view.poses.size();
-    checked.deviate = comparison.misfit.deviate();
-    const NoticedTurn noticed = noticedTurn(comparison, kChangedFrom);
+    checked.deviate = comparison.deviate();
+    const NoticedTurn noticed = noticedTurn(comparison, check_.changed_from);
     checked.noticed_turn_rad = noticed.any_axis_rad;
-    if (checked.deviate > kChangedFrom) {
+    checked.turn_information = comparison.turnInformation();
+    if (checked.deviate > check_.changed_from) {
       explain(view, comparison, checked);
     } else if (noticed.two_axes_rad.value_or(kPi) > kTellsNothing_rad) {
       checked.words = message("can't be told: its calibration is too uncertain");
@@ -356,7 +380,7 @@ class CalibrationChecker {
   void explain(const CellView& view, const ViewComparison& comparison, CheckedCell& checked) {
     const TurnFit turn = fitTurn(comparison);
     const DriftFit drift = fitDrift(view, comparison);
-    if (std::min(turn.left.deviate(), drift.left.deviate()) > kChangedFrom) {
+    if (std::min(turn.left.deviate(), drift.left.deviate()) > check_.changed_from) {
       checked.change = CellChange::Broken;
       checked.words = message("broken: neither a turn nor a drift of its offset explains what it reads");
       changed_meanwhile_ = changed_meanwhile_ || view.poses.size() > 1;

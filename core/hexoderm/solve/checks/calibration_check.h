@@ -45,6 +45,8 @@ struct CheckedCell {
   /// A cell that turned by so much, about whatever axis, would be found with 95 %. Absent where some turn would not be
   /// found however large it is: one about gravity, if there is one pose.
   std::optional<double> noticed_turn_rad;
+  /// What the poses say about a small turn of the cell: information, patch frame, rad^-2.
+  Eigen::Matrix3d turn_information = Eigen::Matrix3d::Zero();
 };
 
 /// An old calibration, compared with new poses.
@@ -56,12 +58,12 @@ struct CalibrationCheck {
   Message advice;                  ///< what to do about it, in one sentence or a few
   bool changed = false;            ///< something is not as calibrated; which cell may not be known
   bool compared = false;           ///< something could be told of a cell
+  /// By so many standard deviations, as a normal deviate, a cell misses before it is called changed: one check in 200
+  /// of an unchanged skin names a cell, however many there are.
+  double changed_from = 0;
 
   [[nodiscard]] std::size_t count(CellChange change) const;  ///< the number of cells with this change
 };
-
-/// By so many standard deviations, as a normal deviate, a cell misses before it is called changed.
-inline constexpr double kChangedFrom = 4.5;
 
 /// Does a calibration still hold? Compares it with a few new poses (one to three do; more are taken, too) of the same
 /// skin. Nothing is solved anew.
@@ -71,18 +73,20 @@ inline constexpr double kChangedFrom = 4.5;
 /// (as in HoldOutResult). Each cell is compared with what the others foretell that agree (Consensus), in all poses at
 /// once: the errors of attitude, offset and gains are those that the calibration's own poses leave (as in
 /// HoldOutResult, see errorsOfCell()), alike in all poses, and the sensor's noise comes on top; where the cells that
-/// agree show that noise to be larger than its samples say, it is. A part that was moved as a whole, or sits otherwise
-/// on the robot, is no change.
+/// agree show that noise to be larger than its samples say, it is. Offsets drift between sessions and are unstable
+/// within one, by the cell model's sigmas: a sensor's own drift, alike in all poses, counts among its cell's errors,
+/// and what all offsets of a patch drifted by together is found, as a vector in each pose, with the motion; a remark
+/// says how large it is. A part that was moved as a whole, or sits otherwise on the robot, is no change.
 ///
-/// A cell that misses by more than kChangedFrom is explained by a turn (three angles) or by a drift of its sensor's
+/// A cell that misses by more than changed_from is explained by a turn (three angles) or by a drift of its sensor's
 /// offset (three numbers), whichever leaves less; the other is ruled out where it is 20 times less likely. What neither
 /// explains is broken, as is a sensor that is dead, stuck, saturated, noisy, silent or another's echo. Offsets are
 /// those that the calibration holds; one of the tree solver holds none, and then they are expected with the cell
 /// model's sigma, which hides all but large changes.
 ///
 /// One pose shows no turn about gravity, and two poses a drift along gravity x gravity only as a turn. A drift that all
-/// sensors share looks like another direction of gravity where they are parallel. Of a patch in which half of the
-/// cells or more disagree with the rest, nothing is told by cell.
+/// sensors share looks like another direction of gravity where they are parallel, and does no harm. Of a patch in which
+/// half of the cells or more disagree with the rest, nothing is told by cell.
 ///
 /// Uses the enabled poses of `today`, its topology and its cell model's geometry; the sensors' sigmas are the
 /// calibration's. Throws InvalidArgument, naming what differs, if the skins are not the same (some cells or links may

@@ -19,7 +19,7 @@ constexpr std::array<int, 6> kCrossAxis = {5, 6, 8, 10, 12, 13};
 constexpr double kAnyForce_g = 10;
 
 Eigen::Index index3(std::size_t k) { return 3 * static_cast<Eigen::Index>(k); }
-Eigen::Index index6(std::size_t k) { return 6 * static_cast<Eigen::Index>(k); }
+Eigen::Index indexShared(std::size_t k) { return kShared * static_cast<Eigen::Index>(k); }
 
 constexpr double kTurnPrior_rad = 1;
 constexpr double kDriftPrior_g = 1;
@@ -178,23 +178,51 @@ CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading
   return covariance;
 }
 
-PartMotionJacobian motionJacobian(const Eigen::Vector3d& at_o) {
-  PartMotionJacobian X;
-  X << Eigen::Matrix3d::Identity(), -skew(at_o);
+SharedJacobian sharedJacobian(const Eigen::Vector3d& at_o, const Eigen::Matrix3d& drift_o) {
+  SharedJacobian X;
+  X << Eigen::Matrix3d::Identity(), -skew(at_o), drift_o;
   return X;
 }
 
-Consensus::Consensus(std::span<const CellView> views, std::size_t poses, double limit)
-    : views_(views), limit_(limit), holds_(views.size(), true) {
-  const Eigen::Index unknowns = index6(poses);
-  information_ = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  weighted_ = Eigen::VectorXd::Zero(unknowns);
-  for (std::size_t pose = 0; pose < poses; ++pose) {
-    information_.diagonal().segment<3>(index6(pose)).setConstant(1 / (kAnyForce_g * kAnyForce_g));
-    information_.diagonal()
-        .segment<3>(index6(pose) + 3)
-        .setConstant(1 / (kAngularAccelerationSigma * kAngularAccelerationSigma));
+Eigen::MatrixXd sharedPrior(std::size_t poses, const SharedDrift& drift) {
+  constexpr double kLeast_g2 = 1e-10;  // a model may know of no drift
+  const auto count = static_cast<double>(poses);
+  const double of_session_g2 = drift.of_session_g * drift.of_session_g;
+  const double of_poses_g2 = std::max(drift.of_poses_g * drift.of_poses_g, kLeast_g2);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(indexShared(poses), indexShared(poses));
+  for (std::size_t a = 0; a < poses; ++a) {
+    auto own = information.diagonal().segment<kShared>(indexShared(a));
+    own.segment<3>(0).setConstant(1 / (kAnyForce_g * kAnyForce_g));
+    own.segment<3>(3).setConstant(1 / (kAngularAccelerationSigma * kAngularAccelerationSigma));
+    own.segment<3>(6).setConstant(1 / of_poses_g2);
+    // The inverse of variances of_poses + of_session, and covariances of_session between the poses.
+    for (std::size_t b = 0; b < poses; ++b) {
+      information.block<3, 3>(indexShared(a) + 6, indexShared(b) + 6).diagonal().array() -=
+          of_session_g2 / (of_poses_g2 * (of_poses_g2 + count * of_session_g2));
+    }
   }
+  return information;
+}
+
+double ViewComparison::deviate() const {
+  const Whitener whiten(covariance_g2);
+  const Eigen::Vector3d pull = whiten(turnJacobian(foretold_o_g)).transpose() * whiten(residual_g);
+  // Axes that the poses don't show count neither in the chi-squared nor in its degrees.
+  const Eigen::Matrix3d shown = turnInformation();
+  const Eigen::Matrix3d covariance =
+      (shown + Eigen::Matrix3d::Identity() / (kTurnPrior_rad * kTurnPrior_rad)).inverse();
+  const Misfit by_turn{pull.dot(covariance * pull), (covariance * shown).trace()};
+  return std::max(misfit.deviate(), by_turn.deviate());
+}
+
+Eigen::Matrix3d ViewComparison::turnInformation() const {
+  const Eigen::MatrixXd J = Whitener(covariance_g2)(turnJacobian(foretold_o_g));
+  return J.transpose() * J;
+}
+
+Consensus::Consensus(std::span<const CellView> views, std::size_t poses, double limit, const SharedDrift& drift)
+    : views_(views), limit_(limit), holds_(views.size(), true), information_(sharedPrior(poses, drift)) {
+  weighted_ = Eigen::VectorXd::Zero(information_.rows());
   for (const CellView& view : views) count(view, 1);
   solve();
   exclude();
@@ -205,15 +233,15 @@ Consensus::Consensus(std::span<const CellView> views, std::size_t poses, double 
 std::size_t Consensus::size() const { return static_cast<std::size_t>(std::ranges::count(holds_, true)); }
 
 void Consensus::count(const CellView& view, double sign) {
-  const PartMotionJacobian X = motionJacobian(view.at_o);
+  const SharedJacobian X = sharedJacobian(view.at_o, view.drift_o);
   const Eigen::LLT<Eigen::MatrixXd> factor(view.covariance_g2);
   const Eigen::MatrixXd precision =
       factor.solve(Eigen::MatrixXd::Identity(view.covariance_g2.rows(), view.covariance_g2.cols()));
   const Eigen::VectorXd pulls = factor.solve(view.force_o_g);
   for (std::size_t a = 0; a < view.poses.size(); ++a) {
-    weighted_.segment<6>(index6(view.poses[a])) += sign * X.transpose() * pulls.segment<3>(index3(a));
+    weighted_.segment<kShared>(indexShared(view.poses[a])) += sign * X.transpose() * pulls.segment<3>(index3(a));
     for (std::size_t b = 0; b < view.poses.size(); ++b) {
-      information_.block<6, 6>(index6(view.poses[a]), index6(view.poses[b])) +=
+      information_.block<kShared, kShared>(indexShared(view.poses[a]), indexShared(view.poses[b])) +=
           sign * X.transpose() * precision.block<3, 3>(index3(a), index3(b)) * X;
     }
   }
@@ -222,24 +250,28 @@ void Consensus::count(const CellView& view, double sign) {
 void Consensus::solve() {
   const Eigen::LLT<Eigen::MatrixXd> factor(information_);
   covariance_ = factor.solve(Eigen::MatrixXd::Identity(information_.rows(), information_.cols()));
-  motion_ = factor.solve(weighted_);
+  shared_ = factor.solve(weighted_);
 }
 
 ViewComparison Consensus::compare(std::size_t view_index) const {
   const CellView& view = views_[view_index];
-  const PartMotionJacobian X = motionJacobian(view.at_o);
+  const SharedJacobian X = sharedJacobian(view.at_o, view.drift_o);
   ViewComparison comparison;
+  Eigen::VectorXd drift(view.force_o_g.size());
   comparison.foretold_o_g.resize(view.force_o_g.size());
   Eigen::MatrixXd carried(view.force_o_g.size(),
-                          view.force_o_g.size());  // the motions' covariance, as the cell sees it
+                          view.force_o_g.size());  // the covariance of what is shared, as the cell sees it
   for (std::size_t a = 0; a < view.poses.size(); ++a) {
-    comparison.foretold_o_g.segment<3>(index3(a)) = X * motion_.segment<6>(index6(view.poses[a]));
+    const SharedByCells shared = shared_.segment<kShared>(indexShared(view.poses[a]));
+    drift.segment<3>(index3(a)) = view.drift_o * shared.tail<3>();
+    comparison.foretold_o_g.segment<3>(index3(a)) = X.leftCols<6>() * shared.head<6>();
     for (std::size_t b = 0; b < view.poses.size(); ++b) {
       carried.block<3, 3>(index3(a), index3(b)) =
-          X * covariance_.block<6, 6>(index6(view.poses[a]), index6(view.poses[b])) * X.transpose();
+          X * covariance_.block<kShared, kShared>(indexShared(view.poses[a]), indexShared(view.poses[b])) *
+          X.transpose();
     }
   }
-  comparison.residual_g = view.force_o_g - comparison.foretold_o_g;
+  comparison.residual_g = view.force_o_g - drift - comparison.foretold_o_g;
   comparison.covariance_g2 = view.covariance_g2 + carried;
   if (holds_[view_index]) {
     // Without the cell's own part in the motions: Z W^-1 r, with covariance Z W^-1 Z, where Z is the cell's covariance,
@@ -247,7 +279,7 @@ ViewComparison Consensus::compare(std::size_t view_index) const {
     const Eigen::MatrixXd own = view.covariance_g2 - carried;
     const Eigen::LDLT<Eigen::MatrixXd> factor(own);
     comparison.residual_g = view.covariance_g2 * factor.solve(comparison.residual_g);
-    comparison.foretold_o_g = view.force_o_g - comparison.residual_g;
+    comparison.foretold_o_g = view.force_o_g - drift - comparison.residual_g;
     const Eigen::MatrixXd spread = view.covariance_g2 * factor.solve(view.covariance_g2);
     comparison.covariance_g2 = (spread + spread.transpose()) / 2;
   }
@@ -257,12 +289,25 @@ ViewComparison Consensus::compare(std::size_t view_index) const {
   return comparison;
 }
 
+std::optional<Consensus::CommonDrift> Consensus::commonDrift() const {
+  constexpr double kBeyondDoubt = 3;  // standard deviations
+  const Eigen::Index poses = shared_.size() / kShared;
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(3, shared_.size());
+  for (Eigen::Index k = 0; k < poses; ++k) {
+    mean.middleCols<3>(kShared * k + 6).diagonal().setConstant(1 / static_cast<double>(poses));
+  }
+  const Eigen::Vector3d offset_g = mean * shared_;
+  const Eigen::Matrix3d covariance = variance_factor_ * mean * covariance_ * mean.transpose();
+  if (Misfit{offset_g.dot(covariance.inverse() * offset_g), 3}.deviate() < kBeyondDoubt) return std::nullopt;
+  return CommonDrift{offset_g, sigmaAlong(offset_g, covariance)};
+}
+
 void Consensus::exclude() {
   constexpr double kAsBad = 0.7;  // share of the worst deviate: far from it, others are bad because of the worst
   while (size() > 1) {
     std::vector<double> deviates(views_.size(), 0);
     for (std::size_t k = 0; k < views_.size(); ++k) {
-      if (holds_[k]) deviates[k] = compare(k).misfit.deviate();
+      if (holds_[k]) deviates[k] = compare(k).deviate();
     }
     const auto worst = std::ranges::max_element(deviates);
     if (*worst <= limit_) return;
@@ -284,7 +329,7 @@ void Consensus::exclude() {
 void Consensus::readmit() {
   std::vector<std::size_t> back;
   for (std::size_t k = 0; k < views_.size(); ++k) {
-    if (!holds_[k] && compare(k).misfit.deviate() <= limit_) back.push_back(k);
+    if (!holds_[k] && compare(k).deviate() <= limit_) back.push_back(k);
   }
   for (const std::size_t k : back) {
     holds_[k] = true;
@@ -345,10 +390,9 @@ DriftFit fitDrift(const CellView& view, const ViewComparison& comparison) {
 
 NoticedTurn noticedTurn(const ViewComparison& comparison, double limit) {
   constexpr double kSmall_rad = 60 * kDegree;  // the readings' change is as good as linear in a smaller turn
-  const Eigen::MatrixXd J = Whitener(comparison.covariance_g2)(turnJacobian(comparison.foretold_o_g));
   const Eigen::Vector3d information =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(J.transpose() * J).eigenvalues();  // ascending
-  const double shift = foundFrom(limit, static_cast<double>(comparison.residual_g.size()));
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(comparison.turnInformation()).eigenvalues();  // ascending
+  const double shift = foundFrom(limit, comparison.residual_g.size() > 3 ? 3 : 2);  // one pose shows two angles
   const auto angle = [&](double shown) -> std::optional<double> {
     if (!(shown > 0)) return std::nullopt;
     const double angle_rad = std::sqrt(shift / shown);

@@ -8,6 +8,7 @@
 #include "hexoderm/solve/global/rigidity.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -19,6 +20,7 @@ namespace hexoderm {
 inline constexpr int kCellUnknowns = 15;
 using CellErrors = Eigen::Matrix<double, kCellUnknowns, kCellUnknowns>;  ///< information or covariance
 using CellJacobian = Eigen::Matrix<double, 3, kCellUnknowns>;
+inline constexpr std::array<int, 3> kOffsets = {3, 7, 11};  ///< among them
 
 /// Derivative of a reading gain v + offset of the specific force v by the unknowns.
 CellJacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d& v);
@@ -59,11 +61,24 @@ CellErrors errorsOfCell(const CellErrors& priors, std::span<const PlacingReading
 /// tremor of 0.05 degrees at 4 to 12 Hz is 0.6 rad/s^2, and what it did to the others comes on top.
 inline constexpr double kAngularAccelerationSigma = 1 / kStandardGravity;
 
-/// The motion that all cells share in a pose: the specific force at the patch's origin, then the swing (g/m).
-using PartMotion = Eigen::Matrix<double, 6, 1>;
-using PartMotionJacobian = Eigen::Matrix<double, 3, 6>;
-/// Derivative by the motion of the specific force at a place of the patch, m.
-PartMotionJacobian motionJacobian(const Eigen::Vector3d& at_o);
+/// What all cells share in a pose: the specific force at the patch's origin, the swing (g/m), and what the offsets of
+/// all sensors changed by together (g, accelerometer axes).
+inline constexpr int kShared = 9;
+using SharedByCells = Eigen::Matrix<double, kShared, 1>;
+using SharedJacobian = Eigen::Matrix<double, 3, kShared>;
+/// Derivative by it of the specific force that a cell sees at a place of the patch, m. `drift_o`: by the sensor's
+/// offset.
+SharedJacobian sharedJacobian(const Eigen::Vector3d& at_o, const Eigen::Matrix3d& drift_o);
+
+/// 1 sigma, g per axis, of what the offsets of all sensors change by together: alike in all poses, and from pose to
+/// pose.
+struct SharedDrift {
+  double of_session_g = 0;
+  double of_poses_g = 0;
+};
+/// Information about what cells share in each of some poses before they are read: the force is whatever it is, the
+/// swing is little (kAngularAccelerationSigma). Where cells are parallel, a common drift is part of the force.
+Eigen::MatrixXd sharedPrior(std::size_t poses, const SharedDrift& drift);
 
 /// What a calibrated cell sees in some poses: in each the specific force there, by its calibration, in the patch frame.
 struct CellView {
@@ -78,19 +93,27 @@ struct CellView {
 
 /// A cell beside what other cells foretell.
 struct ViewComparison {
-  Eigen::VectorXd foretold_o_g;   ///< 3 per pose of the view
-  Eigen::VectorXd residual_g;     ///< what the cell sees less that
+  Eigen::VectorXd foretold_o_g;   ///< 3 per pose of the view, without the drift that all sensors share
+  Eigen::VectorXd residual_g;     ///< what the cell sees less that and the drift
   Eigen::MatrixXd covariance_g2;  ///< of the residual, if the cell is as calibrated
   Misfit misfit;
+
+  /// By how much the cell misses: the deviate of the whole misfit, or of the part that a small turn explains if that is
+  /// larger. A turn has three numbers however many poses there are, so that it stands out of less.
+  [[nodiscard]] double deviate() const;
+  /// What the residual says about a small turn of the cell: information, patch frame, rad^-2.
+  [[nodiscard]] Eigen::Matrix3d turnInformation() const;
 };
 
 /// The cells of a patch that agree about how the part was held and moved, and so are as calibrated.
 ///
-/// Model: all cells see one motion of a rigid part, s_kp = f_p + w_p x t_k + error, with the force f_p free in each
-/// pose and the swing w_p known to be small (kAngularAccelerationSigma); the errors of a cell in all poses have one
-/// covariance, and cells err independently. The motions are those that fit best by generalised least squares. A cell is
-/// compared with what the others of the consensus foretell. From all cells, those that fit worst beyond `limit` (a
-/// standard normal deviate) are taken out, until none is; those that agree with the rest after all come back.
+/// Model: all cells see one motion of a rigid part by sensors whose offsets drift together, s_kp = f_p + w_p x t_k +
+/// D_k b_p + error, with the force f_p free in each pose, the swing w_p known to be small (kAngularAccelerationSigma),
+/// and the drift b_p as large as SharedDrift has it; D_k is the view's drift_o. The errors of a cell in all poses have
+/// one covariance, and but for what they share, cells err independently. Motions and drifts are those that fit best by
+/// generalised least squares. A cell is compared with what the others of the consensus foretell. From all cells, those
+/// that fit worst beyond `limit` (ViewComparison::deviate()) are taken out, until none is; those that agree with the
+/// rest after all come back.
 ///
 /// Noise may be larger than its samples say, where they follow each other closely (a robot's motors shake slowly): then
 /// the consensus misses by more than it should as a whole, and all covariances grow by as much. They never shrink.
@@ -98,7 +121,7 @@ struct ViewComparison {
 /// Nothing here tells the consensus from the rest but their number: a turn of all cells is one of the part.
 class Consensus {
  public:
-  Consensus(std::span<const CellView> views, std::size_t poses, double limit);
+  Consensus(std::span<const CellView> views, std::size_t poses, double limit, const SharedDrift& drift = {});
 
   [[nodiscard]] bool holds(std::size_t view) const { return holds_[view]; }
   [[nodiscard]] std::size_t size() const;
@@ -106,6 +129,12 @@ class Consensus {
   [[nodiscard]] double varianceFactor() const { return variance_factor_; }
   /// The view beside what the consensus, without it, foretells.
   [[nodiscard]] ViewComparison compare(std::size_t view) const;
+  /// What the offsets of all sensors changed by together, the mean over the poses; nothing where that may be nothing.
+  struct CommonDrift {
+    Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();  ///< accelerometer axes
+    double sigma_g = 0;                                  ///< of its length
+  };
+  [[nodiscard]] std::optional<CommonDrift> commonDrift() const;
 
  private:
   void count(const CellView& view, double sign);
@@ -118,10 +147,10 @@ class Consensus {
   double limit_;
   double variance_factor_ = 1;
   std::vector<bool> holds_;
-  Eigen::MatrixXd information_;  ///< of the motions, 6 per pose
+  Eigen::MatrixXd information_;  ///< of what the cells share, kShared per pose
   Eigen::VectorXd weighted_;
   Eigen::MatrixXd covariance_;
-  Eigen::VectorXd motion_;
+  Eigen::VectorXd shared_;
 };
 
 /// The turn of a cell that explains best why it does not see what it should.

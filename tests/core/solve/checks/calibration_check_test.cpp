@@ -129,6 +129,24 @@ TEST_F(CalibratedX17, ADriftOfAnOffsetIsToldFromATurnWhereThePosesAllowIt) {
                                             HasSubstr("these poses can't tell which")));
 }
 
+TEST_F(CalibratedX17, OffsetsThatDriftedTogetherAreARemarkAndNoChange) {
+  const auto drifted = [&](const Eigen::Vector3d& drift_g, const std::function<bool(CellId)>& of) {
+    return check(*calibration, changed(skin.session(kToday), [&](std::size_t, GravitySample& sample) {
+      if (of(sample.cell)) sample.mean_g += drift_g;
+    }));
+  };
+  const Eigen::Vector3d drift_g(0.012, -0.004, 0.010);
+  const CalibrationCheck all = drifted(drift_g, [](CellId) { return true; });
+  EXPECT_FALSE(all.changed);
+  EXPECT_EQ(all.count(CellChange::None), 17U);
+  ASSERT_THAT(all.remarks, SizeIs(1));
+  EXPECT_THAT(all.remarks.front().english(), HasSubstr("The offsets of all sensors drifted together by 1"));
+  // As much of every other one is no more than chips drift by themselves.
+  const CalibrationCheck some = drifted(drift_g / 2, [](CellId cell) { return cell.value() % 2 == 0; });
+  EXPECT_FALSE(some.changed);
+  EXPECT_EQ(some.summary.english(), "All 17 cells are as calibrated, as far as these poses show.");
+}
+
 TEST_F(CalibratedX17, OnePoseShowsSomeChangesAndSaysWhatItDoesNotShow) {
   const Ups up = {kToday[0]};
   const Eigen::Matrix3d R_u_o = skin.truth.at(CellId(4)).R.transpose();
@@ -345,9 +363,10 @@ TEST_F(CalibratedX17, ACalibrationByTheTreeHoldsNoOffsetsAndShowsLess) {
               ElementsAre(CellId(8)));
 }
 
-/// Of a simulated skin, calibrated in four poses before cells are reglued.
+/// Of a simulated skin, calibrated in four poses before cells are reglued and offsets drift.
 CalibrationCheck simulatedCheck(SimulatedSkinOptions options) {
   options.reglued_before = 4;
+  options.drifts_after = 4;
   SimulatedSkin skin = test::simulatedSkin(options);
   const auto calibration = reconstruct(*simulateSession(skin, options.reglued_before).snapshot());
   Session today = beginSimulatedSession(skin);

@@ -51,6 +51,60 @@ TEST(ConsensusOfCells, VariancesGrowWithWhatTheConsensusShowsAndNeverShrink) {
   EXPECT_EQ(Consensus(cells, 2, kLimit).varianceFactor(), 1);
 }
 
+constexpr SharedDrift kDrift{0.005, 0.0025};
+
+/// The cells of views(), each turned otherwise, whose offsets all drifted by as much.
+std::vector<CellView> driftedViews(std::size_t count, const Eigen::Vector3d& drift_g, std::mt19937& random) {
+  std::normal_distribution<double> normal;
+  std::vector<CellView> cells = views(count, 0.002, random);
+  for (CellView& cell : cells) {
+    cell.drift_o = expSO3({normal(random), normal(random), normal(random)});
+    cell.force_o_g += (cell.drift_o * drift_g).replicate(2, 1);
+  }
+  return cells;
+}
+
+TEST(ConsensusOfCells, ComparesACellWithTheOthersWhetherItIsAmongThemOrNot) {
+  std::mt19937 random(3);
+  std::vector<CellView> cells = driftedViews(6, {0.01, 0, -0.01}, random);
+  const Consensus with_it(cells, 2, kLimit, kDrift);
+  ASSERT_TRUE(with_it.holds(2));
+  const Eigen::VectorXd shift = Eigen::VectorXd::Constant(6, 5);
+  cells[2].force_o_g += shift;
+  const Consensus without_it(cells, 2, kLimit, kDrift);
+  ASSERT_FALSE(without_it.holds(2));
+  const ViewComparison one = with_it.compare(2);
+  const ViewComparison other = without_it.compare(2);
+  EXPECT_LT((one.residual_g + shift - other.residual_g).norm(), 1e-9);
+  const Eigen::MatrixXd covariance_g2 = other.covariance_g2 / without_it.varianceFactor();
+  EXPECT_LT((one.covariance_g2 / with_it.varianceFactor() - covariance_g2).norm(), 1e-6 * covariance_g2.norm());
+}
+
+TEST(ConsensusOfCells, ADriftThatAllShareIsFoundAndChangesNoCell) {
+  std::mt19937 random(7);
+  const Eigen::Vector3d drift_g(0.012, -0.004, 0.009);
+  const std::vector<CellView> cells = driftedViews(40, drift_g, random);
+  const Consensus consensus(cells, 2, kLimit, kDrift);
+  EXPECT_EQ(consensus.size(), 40U);
+  EXPECT_LT(consensus.varianceFactor(), 1.2);
+  const auto found = consensus.commonDrift();
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->sigma_g, 0.001);
+  EXPECT_LT((found->offset_g - drift_g).norm(), 4 * found->sigma_g);
+  const Consensus surprised(cells, 2, kLimit);
+  EXPECT_GT(surprised.varianceFactor(), 5) << "what is not in the model goes to the variances";
+  EXPECT_FALSE(Consensus(driftedViews(40, {0, 0, 0}, random), 2, kLimit, kDrift).commonDrift());
+}
+
+TEST(ConsensusOfCells, ADriftOfParallelSensorsIsTakenForAnotherForceAndDoesNoHarm) {
+  std::mt19937 random(11);
+  std::vector<CellView> cells = views(20, 0.002, random);
+  for (CellView& cell : cells) cell.force_o_g += Eigen::Vector3d(0.05, 0, 0.05).replicate(2, 1);
+  const Consensus consensus(cells, 2, kLimit, kDrift);
+  EXPECT_EQ(consensus.size(), 20U);
+  EXPECT_FALSE(consensus.commonDrift());
+}
+
 TEST(CellChange, WhatIsSaidToBeNoticedIsNoticedNineteenTimesInTwenty) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
@@ -69,7 +123,7 @@ TEST(CellChange, WhatIsSaidToBeNoticedIsNoticedNineteenTimesInTwenty) {
     comparison.residual_g = (turn.transpose() * foretold - foretold).reshaped();
     for (double& x : comparison.residual_g) x += kSigma_g * normal(random);
     comparison.misfit = {comparison.residual_g.squaredNorm() / (kSigma_g * kSigma_g), 6};
-    if (comparison.misfit.deviate() > kLimit) ++found;
+    if (comparison.deviate() > kLimit) ++found;
   }
   EXPECT_NEAR(static_cast<double>(found) / kTrials, 0.95, 0.02);
 }
