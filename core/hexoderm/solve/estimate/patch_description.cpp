@@ -32,8 +32,8 @@ CellPlacement describeCell(const SkinLinks& skin, const PatchSolver& patch, std:
   if (const GlobalRefinement* joint = patch.joint()) {
     placement.cov_t_r = joint->covarianceOf(cell);
     if (skin.readings().measured(cell)) {
-      placement.accel_offset_g = joint->lot().offset_g + joint->lot().scale * joint->sensorOf(cell).offset_g;
-      placement.accel_scale = joint->lot().scale * joint->sensorOf(cell).gain.diagonal();
+      placement.accel_offset_g = joint->lot().offset_g + joint->sensorOf(cell).offset_g;
+      placement.accel_scale = joint->lot().gain(joint->sensorOf(cell).gain).diagonal();
     }
   } else {
     placement.cov_t_r = patch.treePlacements()[skin.graph().cells()[cell].place].covariance;
@@ -178,7 +178,7 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
     if (joint->problem().estimatesLot()) {
       const SensorLot& lot = joint->lot();
       const Eigen::Vector4d sigmas = solution.covariance->lotSigmas();
-      result.lot = LotEstimate{lot.offset_g, lot.scale * sigmas.head<3>(), lot.scale, sigmas[3]};
+      result.lot = LotEstimate{lot.offset_g, sigmas.head<3>(), lot.scale, sigmas[3]};
     }
     result.covariance = joint->placementCovariance(skin.graph());
     result.gravity_covariance = joint->gravityCovariance();

@@ -303,8 +303,10 @@ class Judge {
   /// Range and norm: a reading that can't be gravity is not used.
   void judgeReadings(std::size_t cell, double expected_g) {
     const Accelerometer& a = snapshot_.model->accelerometer;
-    const double offset_g = a.ofUnknownLot().largestOffsetSigma_g();
-    const double tolerance = std::max(kMinNormTolerance_g, 5 * std::hypot(offset_g, a.scale_sigma));
+    // Both the reading and what it is compared with hold the lot's offset, as it lies in their poses.
+    const double own = std::hypot(a.largestOffsetSigma_g(), a.scale_sigma);
+    const double tolerance =
+        std::max(kMinNormTolerance_g, 5 * std::hypot(own, std::sqrt(2.0) * a.offset_shared_sigma_g));
     std::vector<std::size_t> saturated;
     std::vector<std::size_t> dead;
     std::vector<std::size_t> off_norm;

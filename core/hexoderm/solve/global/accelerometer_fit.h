@@ -40,12 +40,27 @@ struct CellReading {
   double variance_g2 = 0;  ///< per axis, > 0
 };
 
-/// What the errors of all chips of a lot have in common: a chip whose own errors alone would read y reads
-/// scale y + offset_g.
+/// What the errors of all chips of a lot have in common: a chip with the offset b and the gain I + D of its own reads
+/// scale (I + D) v + b + offset_g of a specific force v. Gains are multiplied, so that a larger force under a smaller
+/// scale says the same of a chip; offsets and noise are not.
 struct SensorLot {
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
   double scale = 1;
-  /// The reading that the chip's own errors alone would give.
+  /// The chips as without() leaves their readings: of the gain I + scale D.
+  [[nodiscard]] Accelerometer chips(Accelerometer of) const {
+    of.scale_sigma *= scale;
+    of.cross_axis_sigma *= scale;
+    return of;
+  }
+  /// The gain of a chip from what it is without the lot.
+  [[nodiscard]] Eigen::Matrix3d gain(const Eigen::Matrix3d& without_lot) const {
+    return without_lot + (scale - 1) * Eigen::Matrix3d::Identity();
+  }
+  /// The reading without the lot's offset, and with a scale of 1.
+  [[nodiscard]] CellReading without(const CellReading& reading, const Eigen::Vector3d& v_g) const {
+    return {reading.pose, reading.y_g - offset_g - (scale - 1) * v_g, reading.variance_g2};
+  }
+  /// The reading that the chip's own errors alone would give, to their first order.
   [[nodiscard]] CellReading without(const CellReading& reading) const {
     return {reading.pose, (reading.y_g - offset_g) / scale, reading.variance_g2 / (scale * scale)};
   }

@@ -27,13 +27,13 @@ double twiceCostOf(const GlobalProblem& problem, const GlobalState& state, const
   const Eigen::Matrix3d axes = linkAxes({PortNumber(), link.p_c});
   const Eigen::Matrix3d R_c_n = state.cells[link.c].R.transpose() * state.cells[link.n].R;
   const Eigen::Vector3d w = logSO3(R_c_n * link.R_nom.transpose());
-  const Eigen::Vector3d elastomer(w.dot(axes.col(0)) / model.twist_sigma_rad,
-                                  w.dot(axes.col(1)) / model.bend_sigma_rad, w.dot(axes.col(2)) / model.yaw_sigma_rad);
+  const Eigen::Vector3d elastomer(w.dot(axes.col(0)) / model.twist_sigma_rad, w.dot(axes.col(1)) / model.bend_sigma_rad,
+                                  w.dot(axes.col(2)) / model.yaw_sigma_rad);
   const Eigen::Vector3d closure = openingOf_m(problem, state, link) / problem.link_sigma_m;
   return problem.loss.cost(closure.squaredNorm()) + problem.loss.cost(elastomer.squaredNorm());
 }
 
-/// Precisions of the lot's offset, per axis, and of the logarithm of its scale. One that is known has a finite
+/// Precisions of the lot's offset, per axis, and of its scale. One that is known has a finite
 /// precision too, which keeps the algebra the same.
 struct LotPrecision {
   double offset = 0;
@@ -50,7 +50,7 @@ double priorCost(const GlobalProblem& problem, const GlobalState& state) {
   if (problem.estimatesLot()) {
     const LotPrecision precision(problem.model->accelerometer);
     squared += precision.offset * state.lot.offset_g.squaredNorm();
-    squared += precision.scale * std::pow(std::log(state.lot.scale), 2);
+    squared += precision.scale * std::pow(state.lot.scale - 1, 2);
   }
   if (problem.gap.sigma) squared += std::pow((state.gap_share - problem.gap.mean) / *problem.gap.sigma, 2);
   for (const Eigen::Vector3d& f : state.force_o) squared += std::pow((f.norm() - 1) / problem.force_sigma_g, 2);
@@ -88,10 +88,10 @@ void startEquations(const GlobalProblem& problem, const GlobalState& state, Norm
   if (!problem.estimatesLot()) return;
   const LotPrecision of_lot(problem.model->accelerometer);
   const Eigen::Index at = layout.lot();
-  equations.border.diagonal().segment<3>(at).array() += state.lot.scale * state.lot.scale * of_lot.offset;
-  equations.gradient_border.segment<3>(at) += state.lot.scale * of_lot.offset * state.lot.offset_g;
+  equations.border.diagonal().segment<3>(at).array() += of_lot.offset;
+  equations.gradient_border.segment<3>(at) += of_lot.offset * state.lot.offset_g;
   equations.border(at + 3, at + 3) += of_lot.scale;
-  equations.gradient_border[at + 3] += of_lot.scale * std::log(state.lot.scale);
+  equations.gradient_border[at + 3] += of_lot.scale * (state.lot.scale - 1);
 }
 
 }  // namespace
@@ -103,6 +103,10 @@ BorderLayout::BorderLayout(const GlobalProblem& problem)
 
 bool GlobalProblem::estimatesLot() const { return model->accelerometer.sharesErrors(); }
 
+AccelerometerPrior priorOfChips(const GlobalProblem& problem, const GlobalState& state) {
+  return AccelerometerPrior(state.lot.chips(problem.model->accelerometer));
+}
+
 void fitCell(const GlobalProblem& problem, const AccelerometerPrior& prior, const GlobalState& state, std::size_t cell,
              SensorState& sensor) {
   const std::vector<CellReading>& readings = problem.readings[cell];
@@ -110,8 +114,8 @@ void fitCell(const GlobalProblem& problem, const AccelerometerPrior& prior, cons
   sensor.readings.clear();
   sensor.v_g.resize(readings.size());
   for (std::size_t k = 0; k < readings.size(); ++k) {
-    sensor.readings.push_back(state.lot.without(readings[k]));
     sensor.v_g[k] = R_a_o * specificForce(problem, state, cell, readings[k].pose);
+    sensor.readings.push_back(state.lot.without(readings[k], sensor.v_g[k]));
   }
   fitAccelerometer(prior, sensor.readings, sensor.v_g, problem.loss, sensor.fit);
 }
@@ -124,7 +128,7 @@ Eigen::Vector3d specificForce(const GlobalProblem& problem, const GlobalState& s
 }
 
 double jointCost(const GlobalProblem& problem, const GlobalState& state) {
-  const AccelerometerPrior prior(problem.model->accelerometer);
+  const AccelerometerPrior prior = priorOfChips(problem, state);
   SensorState sensor;
   double cost = priorCost(problem, state);
   for (std::size_t cell = 0; cell < problem.cellCount(); ++cell) {
@@ -208,8 +212,8 @@ GlobalState moved(const GlobalProblem& problem, const GlobalState& state, const 
     if (problem.accelerations) next.acceleration_o[pose] += border.segment<3>(layout.acceleration(pose));
   }
   if (problem.estimatesLot()) {
-    next.lot.offset_g += state.lot.scale * border.segment<3>(layout.lot());
-    next.lot.scale *= std::exp(border[layout.lot() + 3]);
+    next.lot.offset_g += border.segment<3>(layout.lot());
+    next.lot.scale += border[layout.lot() + 3];
   }
   if (problem.gap.sigma) next.gap_share += border[layout.gapShare()];
   return next;

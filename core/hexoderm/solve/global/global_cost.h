@@ -81,8 +81,7 @@ struct BorderLayout {
   [[nodiscard]] Eigen::Index acceleration(std::size_t pose) const {
     return static_cast<Eigen::Index>(3 * poses_ + 3 * pose);
   }
-  /// Where the lot is estimated: a change of its offset, three numbers, and of its scale's logarithm. The offset's is
-  /// in units of the scale.
+  /// Where the lot is estimated: its offset, three numbers, and its scale.
   [[nodiscard]] Eigen::Index lot() const { return lot_; }
   [[nodiscard]] Eigen::Index gapShare() const { return size_ - 1; }
   [[nodiscard]] Eigen::Index size() const { return size_; }
@@ -97,14 +96,13 @@ inline constexpr Eigen::Index kLotUnknowns = 4;
 
 /// Negative logarithm of the posterior, up to a constant:
 ///   1/2 sum over readings of rho(|y - (I + D)(R^T f) - b|^2 / V) + accelerometer priors,
-///       f = f_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h), y and V without the lot's
-///       errors;
+///       f = f_p + a_p x (t - middle) / 9.80665, b and D eliminated (accelerometer_fit.h), y without the lot's errors;
 ///   1/2 sum over links of rho(|t_n + R_n p_n - t_c - R_c p_c - s k|^2 / link_sigma^2),
 ///       k = (2/3) e a^2 m, the arc's share: e is the length of the extended port vectors, a half the angle between
 ///       u_c and -u_n, m = unit(u_c - u_n), with u the outward port directions in one frame;
 ///   1/2 sum over links of rho of twist, bend and yaw in their priors' sigmas;
 ///   1/2 of the squared deviations from their priors: the gap share, the accelerations, the forces' lengths from 1 g,
-///       the lot's offset and the logarithm of its scale.
+///       the lot's offset and its scale's from 1.
 double jointCost(const GlobalProblem& problem, const GlobalState& state);
 
 /// The specific force at a cell in a pose, patch frame, g.
@@ -138,5 +136,7 @@ struct SensorState {
 };
 void fitCell(const GlobalProblem& problem, const AccelerometerPrior& prior, const GlobalState& state, std::size_t cell,
              SensorState& sensor);
+/// The prior that it takes.
+AccelerometerPrior priorOfChips(const GlobalProblem& problem, const GlobalState& state);
 
 }  // namespace hexoderm

@@ -25,12 +25,10 @@ constexpr std::size_t kCellsOfLargePart = 100;
 constexpr std::size_t kFewPoses = 50;
 constexpr std::size_t kFewCellsPerPose = 12;
 constexpr double kMaxWorkForAccelerations = 3e9;
-// Error that a hand's translation leaves in a mean; on a large part, also that of its turning at the middle of a patch.
+// Error that a hand's translation leaves in a mean. The hand is far from the middle of a large patch, and near that of
+// one of several patches at most: its turning, by a usual tremor's angular acceleration, acts at arms of 0.15 m.
 constexpr double kForceSigma_g = 0.003;
-constexpr double kForceSigmaOfLargePart_g = 0.03;
-// A hand that holds a part with several patches is near the middle of one of them at most: its turning, by a usual
-// tremor's angular acceleration, acts at arms of 0.15 m.
-constexpr double kForceSigmaOfSeveralPatches_g = 0.01;
+constexpr double kForceSigmaFarFromHand_g = 0.01;
 
 /// About how many multiplications a step of the solver takes: twelve errors of a sensor and six unknowns of a cell take
 /// their products from the dense border, which is then factorised; the sparse part is small beside it.
@@ -166,7 +164,7 @@ GlobalRefinement::GlobalRefinement(const CellModel& model, const SkinGraph& grap
   problem_->poses = poses_.size();
   const bool large = cells_.size() >= kCellsOfLargePart;
   const bool several = graph.patches().size() > 1;
-  problem_->force_sigma_g = large ? kForceSigmaOfLargePart_g : several ? kForceSigmaOfSeveralPatches_g : kForceSigma_g;
+  problem_->force_sigma_g = large || several ? kForceSigmaFarFromHand_g : kForceSigma_g;
 
   for (const std::size_t cell : cells_) {
     for (const std::size_t k : graph.linksAt(cell)) {
@@ -279,7 +277,7 @@ double GlobalRefinement::seenAccelerations_rad_s2() const {
 }
 
 void GlobalRefinement::fitSensors() {
-  const AccelerometerPrior prior(problem_->model->accelerometer);
+  const AccelerometerPrior prior = priorOfChips(*problem_, solution_.state);
   sensors_.resize(cells_.size());
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     fitCell(*problem_, prior, solution_.state, cell, sensors_[cell]);
@@ -294,12 +292,12 @@ void GlobalRefinement::leaveOut(std::size_t cell) {
 
 Misfit GlobalRefinement::misfitOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), sensors_[at].readings, sensors_[at].v_g);
+  return testRigidity(priorOfChips(*problem_, solution_.state), sensors_[at].readings, sensors_[at].v_g);
 }
 
 TurnBetweenPoses GlobalRefinement::turnOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return findTurn(AccelerometerPrior(problem_->model->accelerometer), sensors_[at].readings, sensors_[at].v_g);
+  return findTurn(priorOfChips(*problem_, solution_.state), sensors_[at].readings, sensors_[at].v_g);
 }
 
 std::vector<double> GlobalRefinement::poseMisfits() const {
@@ -351,8 +349,8 @@ void GlobalRefinement::finishCovariances() const {
 Eigen::Vector3d GlobalRefinement::correctedReading(std::size_t cell, const Eigen::Vector3d& mean_g) const {
   const Eigen::Matrix3d& R_u_a = problem_->model->accelerometer.T_u_a.R;
   const AccelerometerFit& fit = sensorOf(cell);
-  const CellReading reading = solution_.state.lot.without({0, R_u_a.transpose() * mean_g, 0});
-  return R_u_a * fit.gain.inverse() * (reading.y_g - fit.offset_g);
+  const SensorLot& of_lot = solution_.state.lot;
+  return R_u_a * of_lot.gain(fit.gain).inverse() * (R_u_a.transpose() * mean_g - of_lot.offset_g - fit.offset_g);
 }
 
 CellReading GlobalRefinement::foretold(std::size_t local, std::size_t pose, const GlobalState& state) const {
@@ -361,7 +359,7 @@ CellReading GlobalRefinement::foretold(std::size_t local, std::size_t pose, cons
   const Eigen::Matrix3d R_o_a = state.cells[local].R * problem_->model->accelerometer.T_u_a.R;
   const Eigen::Vector3d v_g = R_o_a.transpose() * specificForce(*problem_, state, local, pose);
   const AccelerometerFit& fit = sensors_[local].fit;
-  return {pose, state.lot.scale * (fit.gain * v_g + fit.offset_g) + state.lot.offset_g, median(std::move(variances))};
+  return {pose, state.lot.gain(fit.gain) * v_g + fit.offset_g + state.lot.offset_g, median(std::move(variances))};
 }
 
 std::vector<Matrix6d> GlobalRefinement::covariancesWithPose(const Eigen::Vector3d& up_o) const {

@@ -15,6 +15,7 @@ struct LinearizeSetting {
   std::size_t poses;
   bool accelerations;
   bool lot;                      ///< the lot's errors are unknowns
+  double lot_scale;
   const double* force_o;         ///< three per pose
   const double* acceleration_o;  ///< three per pose, divided by standard gravity
 
@@ -36,7 +37,7 @@ constexpr std::size_t kLotColumns = 4;
 struct CellLanes {
   const double* R_o_u;    ///< 9
   const double* lever_o;  ///< 3
-  const double* y_g;      ///< 3 per pose
+  const double* y_g;      ///< 3 per pose, without the lot's offset
   const double* precision;
 
   double* cost;

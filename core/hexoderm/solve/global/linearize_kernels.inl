@@ -145,18 +145,30 @@ struct PoseOfCell {
 static_assert(sizeof(PoseOfCell) == CellLanes::kWorkspaceOfPose * sizeof(Lanes));
 
 /// What the sensor's errors c of an axis would change if their prior's mean moved along them: with L the prior's
-/// precision and F F^T the information about the errors, F^-1 L c and L c.
+/// precision, N the readings' and F F^T = L + N, F^-1 L c, F^-1 N c and L c. The cost curves along two such moves by
+/// (F^-1 L c)^T F^-1 N c', in which nothing cancels where a prior is far more precise than the readings.
 struct MeanMoves {
   Lanes explained[3][4];
+  Lanes read[3][4];
   Lanes weighted[3][4];
 };
-inline MeanMoves moveMean(const double (&precision)[3][4], const Lanes (&explains)[3][4][4], const Lanes (&c)[3][4]) {
+inline MeanMoves moveMean(const double (&precision)[3][4], const Lanes (&normal)[4][4],
+                          const Lanes (&explains)[3][4][4], const Lanes (&c)[3][4]) {
   MeanMoves moves;
   for (int axis = 0; axis < 3; ++axis) {
+    Lanes read[4];
     for (int i = 0; i < 4; ++i) {
       moves.weighted[axis][i] = precision[axis][i] * c[axis][i];
+      read[i] = normal[i][0] * c[axis][0];
+      for (int j = 1; j < 4; ++j) read[i] += (j <= i ? normal[i][j] : normal[j][i]) * c[axis][j];
+    }
+    for (int i = 0; i < 4; ++i) {
       moves.explained[axis][i] = explains[axis][i][0] * moves.weighted[axis][0];
-      for (int j = 1; j <= i; ++j) moves.explained[axis][i] += explains[axis][i][j] * moves.weighted[axis][j];
+      moves.read[axis][i] = explains[axis][i][0] * read[0];
+      for (int j = 1; j <= i; ++j) {
+        moves.explained[axis][i] += explains[axis][i][j] * moves.weighted[axis][j];
+        moves.read[axis][i] += explains[axis][i][j] * read[j];
+      }
     }
   }
   return moves;
@@ -174,6 +186,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
   }
 
   // The sensor's most probable errors.
+  const double scale = setting.lot_scale;
   PoseOfCell* __restrict const seen = reinterpret_cast<PoseOfCell*>(cells.workspace);
   Lanes normal[4][4] = {};
   Lanes right[3][4] = {};
@@ -196,7 +209,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
       const Lanes weighted = pose.precision * pose.row[i];
       for (int j = 0; j <= i; ++j) normal[i][j] += weighted * pose.row[j];
       for (int axis = 0; axis < 3; ++axis) {
-        right[axis][i] += weighted * (load(cells.y_g, 3 * k + static_cast<std::size_t>(axis)) - v.x[axis]);
+        right[axis][i] += weighted * (load(cells.y_g, 3 * k + static_cast<std::size_t>(axis)) - scale * v.x[axis]);
       }
     }
   }
@@ -224,7 +237,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
       twice_cost += setting.prior_precision[axis][j] * errors[j] * errors[j];
     }
     offset.x[axis] = errors[0];
-    for (int j = 0; j < 3; ++j) gain.m[axis][j] = errors[j + 1] + (axis == j ? 1.0 : 0.0);
+    for (int j = 0; j < 3; ++j) gain.m[axis][j] = errors[j + 1] + (axis == j ? scale : 0.0);
   }
   unsigned beyond = 0;
   for (std::size_t k = 0; k < poses; ++k) {
@@ -302,24 +315,23 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
     }
   }
 
-  // The lot's errors are the mean of the prior of the sensor's own. Its scale multiplies all that the sensor reads.
+  // The lot's errors are the mean of the prior of the sensor's offset and gains, whose sigmas grow with its scale.
   if (setting.lot) {
     Lanes c[kLotColumns][3][4] = {};
     for (int axis = 0; axis < 3; ++axis) {
       c[axis][axis][0] = all(1);
-      c[3][axis][0] = offset.x[axis];
-      for (int j = 0; j < 3; ++j) c[3][axis][j + 1] = gain.m[axis][j];
+      for (int j = 0; j < 3; ++j) c[3][axis][j + 1] = gain.m[axis][j] / scale;
     }
     double* const pairs = cells.lot_sums + poses * kLotColumns * kColumns * kWidth;
     double* const slopes = pairs + kLotColumns * kLotColumns * kWidth;
     MeanMoves moves[kLotColumns];
     for (std::size_t l = 0; l < kLotColumns; ++l) {
-      moves[l] = moveMean(setting.prior_precision, explains, c[l]);
+      moves[l] = moveMean(setting.prior_precision, normal, explains, c[l]);
       Lanes slope = all(0);
       Lanes to_cell[6] = {};
       for (int axis = 0; axis < 3; ++axis) {
         slope -= moves[l].weighted[axis][0] * offset.x[axis];
-        for (int j = 0; j < 3; ++j) slope -= moves[l].weighted[axis][j + 1] * (gain.m[axis][j] - (axis == j ? 1.0 : 0.0));
+        for (int j = 0; j < 3; ++j) slope -= moves[l].weighted[axis][j + 1] * (gain.m[axis][j] - (axis == j ? scale : 0.0));
         for (int i = 0; i < 4; ++i) {
           for (int j = 0; j < 6; ++j) to_cell[j] -= moves[l].explained[axis][i] * mixed[axis][i][j];
         }
@@ -329,10 +341,7 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
       for (std::size_t m = 0; m <= l; ++m) {
         Lanes curvature = all(0);
         for (int axis = 0; axis < 3; ++axis) {
-          for (int i = 0; i < 4; ++i) {
-            curvature += moves[l].weighted[axis][i] * c[m][axis][i];
-            curvature -= moves[l].explained[axis][i] * moves[m].explained[axis][i];
-          }
+          for (int i = 0; i < 4; ++i) curvature += moves[l].explained[axis][i] * moves[m].read[axis][i];
         }
         add(pairs, l * kLotColumns + m, curvature);
       }

@@ -20,7 +20,7 @@ struct LaneSetting {
 
   LaneSetting(const GlobalProblem& problem, const GlobalState& state) {
     const CellModel& model = *problem.model;
-    const AccelerometerPrior prior(model.accelerometer);
+    const AccelerometerPrior prior = priorOfChips(problem, state);
     const Eigen::Matrix3d R_a_u = model.accelerometer.T_u_a.R.transpose();
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j) numbers.R_a_u[3 * i + j] = R_a_u(i, j);
@@ -30,6 +30,7 @@ struct LaneSetting {
     numbers.poses = problem.poses;
     numbers.accelerations = problem.accelerations;
     numbers.lot = problem.estimatesLot();
+    numbers.lot_scale = state.lot.scale;
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       for (int i = 0; i < 3; ++i) {
         force_o.push_back(state.force_o[pose][i]);
@@ -112,7 +113,7 @@ class CellsInLanes {
         lot_border_(6 * kLotColumns, kernels.lanes),
         lot_sums_(kLotColumns * (columns_ * problem.poses + kLotColumns + 1), kernels.lanes),
         workspace_(CellLanes::kWorkspaceOfPose * std::max<std::size_t>(1, problem.poses)),
-        prior_(problem.model->accelerometer),
+        prior_(priorOfChips(problem, state)),
         of_lane_(kernels.lanes) {
     for (std::size_t pose = 0; pose < problem.poses; ++pose) {
       for (std::size_t column = 0; column < columns_; ++column) places_.push_back(placeOf(pose, column));
@@ -148,12 +149,12 @@ class CellsInLanes {
     of_lane_[lane] = cell;
     R_.put(lane, state_.cells[cell].R);
     lever_.put(lane, Eigen::Vector3d(state_.cells[cell].t - state_.middle_o));
-    for (const CellReading& as_read : problem_.readings[cell]) {
-      const CellReading reading = state_.lot.without(as_read);
+    for (const CellReading& reading : problem_.readings[cell]) {
       if (precision_(reading.pose, lane) != 0) throw std::logic_error("a cell has two readings in one pose");
       precision_(reading.pose, lane) = 1 / reading.variance_g2;
       for (std::size_t i = 0; i < 3; ++i) {
-        y_(3 * reading.pose + i, lane) = reading.y_g[static_cast<Eigen::Index>(i)];
+        const auto axis = static_cast<Eigen::Index>(i);
+        y_(3 * reading.pose + i, lane) = reading.y_g[axis] - state_.lot.offset_g[axis];
       }
     }
     return true;

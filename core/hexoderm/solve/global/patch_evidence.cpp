@@ -10,7 +10,7 @@ namespace {
 
 /// The same patch with sensors that are known to have no errors, neither their own nor the lot's, and read just that,
 /// each as precise as `sensors` has it: its equations are J^T W J + K.
-GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const SensorState> sensors, double scale,
+GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const SensorState> sensors,
                                  const CellModel& perfect) {
   GlobalProblem with = problem;
   with.model = &perfect;
@@ -18,7 +18,7 @@ GlobalProblem withPerfectSensors(const GlobalProblem& problem, std::span<const S
   for (std::size_t cell = 0; cell < with.cellCount(); ++cell) {
     for (std::size_t k = 0; k < with.readings[cell].size(); ++k) {
       with.readings[cell][k].y_g = sensors[cell].v_g[k];
-      with.readings[cell][k].variance_g2 = scale * scale / sensors[cell].fit.precision[k];
+      with.readings[cell][k].variance_g2 = 1 / sensors[cell].fit.precision[k];
     }
   }
   return with;
@@ -38,7 +38,7 @@ class CellRows {
     const auto at = static_cast<Eigen::Index>(6 * cell);
     for (std::size_t k = 0; k < problem.readings[cell].size(); ++k) {
       const std::size_t pose = problem.readings[cell][k].pose;
-      const double precision = sensor.fit.precision[k] / (state.lot.scale * state.lot.scale);
+      const double precision = sensor.fit.precision[k];
       const Eigen::Vector3d& v = sensor.v_g[k];
       const Eigen::Vector4d row(1, v.x(), v.y(), v.z());
       rows_.noalias() += precision * row * row.transpose();
@@ -77,7 +77,7 @@ SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& 
   sensor.scale_sigma = sensor.cross_axis_sigma = 0;
   sensor.offset_shared_sigma_g = sensor.scale_shared_sigma = 0;
   const SensorLot& lot = state.lot;
-  const GlobalProblem with_perfect = withPerfectSensors(problem, sensors, lot.scale, perfect);
+  const GlobalProblem with_perfect = withPerfectSensors(problem, sensors, perfect);
   GlobalState without_lot = state;
   without_lot.lot = {};
   NormalEquations equations;
@@ -99,17 +99,17 @@ SensorEvidence evidenceOfPatch(const GlobalProblem& problem, const GlobalState& 
       const Eigen::Vector3d gain = seen.fit.gain.row(axis);
       own[at + 4 * axis] = seen.fit.offset_g[axis];
       own.segment<3>(at + 4 * axis + 1) = gain - Eigen::Vector3d::Unit(axis);
-      errors[at + 4 * axis] = lot.offset_g[axis] + lot.scale * seen.fit.offset_g[axis];
-      errors.segment<3>(at + 4 * axis + 1) = lot.scale * gain - Eigen::Vector3d::Unit(axis);
+      errors[at + 4 * axis] = lot.offset_g[axis] + seen.fit.offset_g[axis];
+      errors.segment<3>(at + 4 * axis + 1) = gain + (lot.scale - 2) * Eigen::Vector3d::Unit(axis);
     }
   }
   factor.matrixL().solveInPlace(mixed);
   evidence.information.noalias() -= mixed.transpose() * mixed;
-  const AccelerometerPrior prior(problem.model->accelerometer);
+  const AccelerometerPrior prior = priorOfChips(problem, state);
   evidence.weighted = evidence.information * errors;
   for (Eigen::Index k = 0; k < parameters; ++k) {
     const auto axis = static_cast<int>((k % kSensorParameters) / 4);
-    evidence.weighted[k] += prior.precision(axis)[k % 4] * own[k] / lot.scale;
+    evidence.weighted[k] += prior.precision(axis)[k % 4] * own[k];
   }
   return evidence;
 }

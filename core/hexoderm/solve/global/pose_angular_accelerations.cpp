@@ -16,7 +16,8 @@ Eigen::Matrix3d leverMatrix(const GlobalState& state, std::size_t cell) {
 
 Eigen::Matrix3d readingPerForce(const GlobalProblem& problem, const GlobalState& state, std::size_t cell,
                                 const AccelerometerFit& sensor) {
-  return sensor.gain * problem.model->accelerometer.T_u_a.R.transpose() * state.cells[cell].R.transpose();
+  return state.lot.gain(sensor.gain) * problem.model->accelerometer.T_u_a.R.transpose() *
+         state.cells[cell].R.transpose();
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ AngularAccelerationInReading swingInReading(const GlobalProblem& problem, const 
                                             const AccelerometerFit& sensor, const PoseAngularAccelerations& swings,
                                             std::size_t pose) {
   const Eigen::Matrix3d lever = leverMatrix(state, cell);
-  return {state.lot.scale * readingPerForce(problem, state, cell, sensor) * (lever * swings.acceleration_o[pose]),
+  return {readingPerForce(problem, state, cell, sensor) * (lever * swings.acceleration_o[pose]),
           (lever * swings.covariance[pose] * lever.transpose()).trace() / 3};
 }
 
