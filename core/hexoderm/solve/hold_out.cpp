@@ -61,7 +61,6 @@ class HoldOut {
  public:
   HoldOut(const SessionSnapshot& snapshot, PoseId pose, const SolverOptions& options)
       : model_(*snapshot.model),
-        prior_(model_.accelerometer.ofUnknownLot()),
         joint_(options.solver == Solver::Global),
         graph_(model_, *snapshot.neighbors),
         everything_(allEnabled(snapshot)),
@@ -78,8 +77,9 @@ class HoldOut {
     }
     if (seen.size() < 2) return;
     // The pose's common offset less the mean of the others'.
-    SharedFit all({0, model_.accelerometer.offset_instability_shared_sigma_g *
-                          std::sqrt(1 + 1 / static_cast<double>(result.other_poses))});
+    const double drift_g = model_.accelerometer.offset_instability_shared_sigma_g *
+                           std::sqrt(1 + 1 / static_cast<double>(result.other_poses));
+    SharedFit all({0, std::hypot(drift_g, unknownOfLot_g(patch))});
     for (const Seen& view : seen) all.add(view, 1);
     std::unordered_map<CellId, const Seen*> by_cell;
     for (const Seen& view : seen) {
@@ -132,6 +132,8 @@ class HoldOut {
     const Eigen::Matrix3d R_a_u = model_.accelerometer.T_u_a.R.transpose();
     const Eigen::Matrix3d R_a_o = R_a_u * cell.T_o_u.R.transpose();
 
+    const SensorLot lot = patch.lot ? SensorLot{patch.lot->offset_g, patch.lot->scale} : SensorLot{};
+    const AccelerometerPrior prior = priorOfChips(model_, patch);
     std::vector<CellReading> readings;
     std::vector<Eigen::Vector3d> forces;
     std::vector<PlacingReading> placing;
@@ -143,20 +145,21 @@ class HoldOut {
           gravity.force ? Eigen::Vector3d(gravity.force->at_origin_o_g + gravity.force->swing_o.cross(cell.T_o_u.t))
                         : gravity.g_o;
       forces.emplace_back(R_a_o * force_o);
-      readings.push_back({readings.size(), R_a_u * reading.mean_g, reading.variance_g2});
+      readings.push_back(lot.without({readings.size(), R_a_u * reading.mean_g, reading.variance_g2}, forces.back()));
       placing.push_back({forces.back(), reading.variance_g2, ownVariance(*index, place->second)});
     }
     if (readings.empty()) return std::nullopt;
     AccelerometerFit fit;
-    if (joint_) fitAccelerometer(prior_, readings, forces, {}, fit);
+    if (joint_) fitAccelerometer(prior, readings, forces, {}, fit);
 
-    const Eigen::Matrix3d inverse = fit.gain.inverse();
-    const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - fit.offset_g);
+    const Eigen::Matrix3d gain = lot.gain(fit.gain);
+    const Eigen::Matrix3d inverse = gain.inverse();
+    const Eigen::Vector3d v = inverse * (R_a_u * entry.mean_g - lot.offset_g - fit.offset_g);
     if (!v.allFinite() || v.norm() < kShortest_g) return std::nullopt;
-    const CellJacobian J = readingJacobian(fit.gain, v.normalized());
-    const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, linkedPorts(*index)));
+    const CellJacobian J = readingJacobian(gain, v.normalized());
+    const CellErrors priors = priorInformation(prior, elastomerInformation(model_, linkedPorts(*index)));
     Eigen::Matrix3d covariance =
-        J * errorsOfCell(priors, placing, fit.gain, joint_ ? CellEstimate::Joint : CellEstimate::Tree) * J.transpose();
+        J * errorsOfCell(priors, placing, gain, joint_ ? CellEstimate::Joint : CellEstimate::Tree) * J.transpose();
     covariance.diagonal().array() += ownVariance(*index, left_out_);
     const Eigen::Matrix3d to_o = R_a_o.transpose() * inverse;
     return Seen{cell.cell, cell.T_o_u.t, R_a_o.transpose() * v, to_o * covariance * to_o.transpose(), to_o};
@@ -233,7 +236,6 @@ class HoldOut {
   }
 
   const CellModel& model_;
-  AccelerometerPrior prior_;
   bool joint_;
   SkinGraph graph_;
   SessionSnapshot everything_;

@@ -22,6 +22,7 @@ CellModel modelWith(double offset_g, double shared_g, double scale, double cross
   model.accelerometer.offset_sigma_g.setConstant(std::sqrt(offset_g * offset_g - shared_g * shared_g));
   model.accelerometer.offset_shared_sigma_g = shared_g;
   model.accelerometer.scale_sigma = scale;
+  model.accelerometer.scale_shared_sigma = 0;
   model.accelerometer.cross_axis_sigma = cross_axis;
   return model;
 }

@@ -125,7 +125,6 @@ class CalibratedCells {
   explicit CalibratedCells(const Reconstruction& calibration)
       : calibration_(calibration),
         model_(*calibration.model),
-        prior_(model_.accelerometer.ofUnknownLot()),
         joint_(calibration.solver == solverName(Solver::Global)) {
     for (std::size_t k = 0; k < calibration.poses.size(); ++k) place_of_.emplace(calibration.poses[k].pose, k);
   }
@@ -136,13 +135,15 @@ class CalibratedCells {
     const Eigen::Matrix3d R_u_a = model_.accelerometer.T_u_a.R;
     if (cell.placed_by == PlacedBy::Links) {
       CellErrors covariance =
-          priorInformation(prior_, elastomerInformation(model_, portsOf(patch, cell.cell))).inverse();
+          priorInformation(priorOfChips(model_, patch), elastomerInformation(model_, portsOf(patch, cell.cell)))
+              .inverse();
       if (cell.cov_t_r) {
         covariance.topLeftCorner<3, 3>() = R_u_a.transpose() * cell.cov_t_r->bottomRightCorner<3, 3>() * R_u_a;
       }
       return covariance;
     }
-    const CellErrors priors = priorInformation(prior_, elastomerInformation(model_, portsOf(patch, cell.cell)));
+    const CellErrors priors =
+        priorInformation(priorOfChips(model_, patch), elastomerInformation(model_, portsOf(patch, cell.cell)));
     const std::vector<PlacingReading> readings = readingsOf(patch, cell, own_g2);
     const CellEstimate estimate = joint_ ? CellEstimate::GlobalNoCrossAxis : CellEstimate::Tree;
     return errorsOfCell(priors, readings, gainOf(cell), estimate);
@@ -202,7 +203,6 @@ class CalibratedCells {
 
   const Reconstruction& calibration_;
   const CellModel& model_;
-  AccelerometerPrior prior_;
   bool joint_;
   std::unordered_map<PoseId, std::size_t> place_of_;
 };
@@ -267,7 +267,8 @@ class CalibrationChecker {
     }
     const Accelerometer& sensor = today_.model->accelerometer;
     const Consensus consensus(views, check_.poses.size(), check_.changed_from,
-                              {sensor.offset_drift_shared_sigma_g, sensor.offset_instability_shared_sigma_g});
+                              {std::hypot(sensor.offset_drift_shared_sigma_g, unknownOfLot_g(patch)),
+                               sensor.offset_instability_shared_sigma_g});
     if (views.size() < 2) {
       for (const CellView& view : views) {
         check_.cells.push_back(

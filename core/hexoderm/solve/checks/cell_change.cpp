@@ -139,6 +139,12 @@ Eigen::Matrix3d elastomerInformation(const CellModel& model, std::span<const Por
   return R_u_a.transpose() * information * R_u_a;
 }
 
+AccelerometerPrior priorOfChips(const CellModel& model, const PatchReconstruction& patch) {
+  return AccelerometerPrior(patch.lot ? model.accelerometer : model.accelerometer.ofUnknownLot());
+}
+
+double unknownOfLot_g(const PatchReconstruction& patch) { return patch.lot ? patch.lot->offset_sigma_g.maxCoeff() : 0; }
+
 CellErrors priorInformation(const AccelerometerPrior& sensor, const Eigen::Matrix3d& attitude) {
   CellErrors information = CellErrors::Zero();
   information.topLeftCorner<3, 3>() = attitude;

@@ -6,6 +6,7 @@
 #include "hexoderm/skin/cell_model.h"
 #include "hexoderm/solve/global/accelerometer_fit.h"
 #include "hexoderm/solve/global/rigidity.h"
+#include "hexoderm/solve/result/reconstruction.h"
 
 #include <Eigen/Core>
 #include <array>
@@ -29,6 +30,12 @@ CellJacobian readingJacobian(const Eigen::Matrix3d& gain, const Eigen::Vector3d&
 /// links. A turn about an axis along which every neighbour lets the cell go is still not free: it is known to within a
 /// turn.
 Eigen::Matrix3d elastomerInformation(const CellModel& model, std::span<const PortNumber> ports);
+
+/// What is known of a patch's chips beside its lot, which is known where the patch states it; where it does not, each
+/// chip has the lot's errors as its own.
+AccelerometerPrior priorOfChips(const CellModel& model, const PatchReconstruction& patch);
+/// 1 sigma of what the patch's offsets have in common and its lot does not say, per axis, g.
+double unknownOfLot_g(const PatchReconstruction& patch);
 
 /// What is known of a cell without its readings: information of the attitude, and the cell model's about its sensor.
 CellErrors priorInformation(const AccelerometerPrior& sensor, const Eigen::Matrix3d& attitude);

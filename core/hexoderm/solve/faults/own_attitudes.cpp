@@ -20,8 +20,10 @@ namespace {
 /// One pose's force and swing, by least squares over the cells that read it.
 class AngularAccelerationFit {
  public:
-  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o, double variance_g2) {
+  void add(const Eigen::Vector3d& f_o, const Eigen::Vector3d& t_o, const Eigen::Matrix3d& R_o_a, double variance_g2) {
     count_ += 1;
+    axes_ += R_o_a;
+    turned_axes_ += skew(t_o) * R_o_a;
     variances_ += variance_g2;
     force_ += f_o;
     squares_ += f_o.squaredNorm();
@@ -38,11 +40,13 @@ class AngularAccelerationFit {
     place_ += other.place_;
     places_ += other.places_;
     turning_ += other.turning_;
+    axes_ += other.axes_;
+    turned_axes_ += other.turned_axes_;
   }
 
   /// Returns by how much that changes what a usual cell reads, g. Leaves `force` as it was where the cells agree on
-  /// nothing.
-  double find(PatchForce& force) const {
+  /// nothing. `shared_g2`: variance of an offset that all sensors share, which on a curved patch reads like a swing.
+  double find(PatchForce& force, double shared_g2) const {
     constexpr double kMinAgreed = 0.5;  // g, as a sum
     constexpr int kRounds = 4;
     if (count_ == 0 || force_.norm() <= kMinAgreed) return 0;
@@ -62,7 +66,10 @@ class AngularAccelerationFit {
       information.diagonal().array() += variance * std::pow(kStandardGravity / kTremorAcceleration_rad_s2, 2);
       force.swing_o = information.ldlt().solve(turning);
       // With few poses own attitudes and sensors fit what they read too well.
-      force.swing_covariance_o = std::max(variance, variances_ / count_) * information.inverse();
+      const Eigen::Matrix3d inverse = information.inverse();
+      const Eigen::Matrix3d by_shared = inverse * (turned_axes_ - skew(middle) * axes_);
+      force.swing_covariance_o =
+          std::max(variance, variances_ / count_) * inverse + shared_g2 * by_shared * by_shared.transpose();
       left = squares + force.swing_o.dot(levers * force.swing_o - 2 * turning);
     }
     force.at_origin_o = mean.normalized() - force.swing_o.cross(middle);
@@ -78,6 +85,8 @@ class AngularAccelerationFit {
   double variances_ = 0;
   Eigen::Vector3d force_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes_ = Eigen::Matrix3d::Zero();         // sum of R_o_a
+  Eigen::Matrix3d turned_axes_ = Eigen::Matrix3d::Zero();  // of [t]x R_o_a
   Eigen::Matrix3d places_ = Eigen::Matrix3d::Zero();
   Eigen::Vector3d turning_ = Eigen::Vector3d::Zero();
 };
@@ -209,11 +218,26 @@ class OwnAttitudeBatches {
   std::vector<double> R_;
 };
 
+/// A lot whose scale makes 1 g of what the cells read in the mean, where the cell model says that it may be another.
+SensorLot lotByNorms(const SkinLinks& skin, std::span<const std::size_t> cells) {
+  if (skin.model().accelerometer.scale_shared_sigma == 0) return {};
+  double norms_g = 0;
+  double count = 0;
+  for (const std::size_t cell : cells) {
+    for (const std::size_t pose : skin.table().usablePoses(cell)) {
+      norms_g += skin.table().at(cell, pose).mean_g.norm();
+      ++count;
+    }
+  }
+  return {Eigen::Vector3d::Zero(), norms_g > 0 ? norms_g / count : 1};
+}
+
 class Finder {
  public:
   Finder(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
-         std::span<const SE3> placements, const SensorLot& lot, const Accelerometer& sensor)
+         std::span<const SE3> placements, const SensorLot& lot, const Accelerometer& sensor, double shared_g2)
       : R_u_a_(sensor.T_u_a.R),
+        shared_g2_(shared_g2),
         prior_(sensor),
         forces_(std::move(forces)),
         placements_(placements),
@@ -298,7 +322,7 @@ class Finder {
     findAttitudes(most_steps, [&](std::size_t range, std::size_t place, const OwnAttitude& found) {
       const Eigen::Matrix3d freed = found.R * found.gain.inverse();
       for (const CellReading& reading : own_[place].readings) {
-        of_ranges[range][reading.pose].add(freed * (reading.y_g - found.offset_g), placements_[place].t,
+        of_ranges[range][reading.pose].add(freed * (reading.y_g - found.offset_g), placements_[place].t, found.R,
                                            reading.variance_g2);
       }
     });
@@ -306,12 +330,13 @@ class Finder {
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       AngularAccelerationFit fit;
       for (const Fits& fits : of_ranges) fit += fits[k];
-      most_g = std::max(most_g, fit.find(forces_[k]));
+      most_g = std::max(most_g, fit.find(forces_[k], shared_g2_));
     }
     return most_g <= kSettled_g;
   }
 
   Eigen::Matrix3d R_u_a_;
+  double shared_g2_;
   AccelerometerPrior prior_;
   std::vector<PatchForce> forces_;
   std::span<const SE3> placements_;
@@ -324,9 +349,12 @@ class Finder {
 OwnAttitudes findOwnAttitudes(const SkinLinks& skin, std::span<const std::size_t> cells, std::vector<PatchForce> forces,
                               std::span<const SE3> placements, const SensorLot* lot) {
   const Accelerometer& sensor = skin.model().accelerometer;
-  Finder finder(skin, cells, std::move(forces), placements, lot != nullptr ? *lot : SensorLot(),
-                lot != nullptr ? sensor : sensor.ofUnknownLot());
-  if (lot == nullptr) finder.settle();
+  if (lot != nullptr) return Finder(skin, cells, std::move(forces), placements, *lot, sensor, 0).run();
+  Accelerometer each = sensor.ofUnknownLot();
+  each.scale_sigma = sensor.scale_sigma;  // beside the lot's, which gravity's length shows
+  Finder finder(skin, cells, std::move(forces), placements, lotByNorms(skin, cells), each,
+                sensor.offset_shared_sigma_g * sensor.offset_shared_sigma_g);
+  finder.settle();
   return finder.run();
 }
 
