@@ -180,6 +180,8 @@ Json countDetections(const Trials& trials, bool prints);
 Json countGarbage(const Trials& trials, bool prints);
 /// How often `check` finds what changed since a calibration, and blames healthy cells.
 Json countChanges(const Trials& trials, bool prints);
+/// Accuracy, stated uncertainty and false alarms where chips are of one lot and sit askew.
+Json tabulateLots(const Trials& trials, bool prints);
 /// How often the true place on a link is found by the link's surface, and how far off.
 Json placeOnLinks(const Trials& trials, bool prints);
 
