@@ -18,8 +18,6 @@ constexpr std::size_t kFullSeeds = 200;         ///< from so many seeds on, heal
 constexpr std::size_t kHealthySessions = 2000;  ///< for each of the two healthy rows
 constexpr double kBarFound = 95;                ///< percent
 constexpr double kBelowBound = 5;               ///< percent, where the bound is lower than the bar
-constexpr double kBarFalseAlarms = 0.2;         ///< percent of sessions
-constexpr double kBarAccused = 0.1;             ///< percent of cells
 
 struct Garbage {
   std::string name;
@@ -27,10 +25,6 @@ struct Garbage {
   std::optional<SkinFault> cell_fault;
   std::optional<WholeSkinFault> whole_fault;
 };
-
-bool isAlarm(const Finding& finding) {
-  return finding.severity != Severity::Info && finding.code != FindingCode::TooFewDirections;
-}
 
 /// Only noise can be left of such a skin.
 bool mustFail(WholeSkinFault fault) {
@@ -111,23 +105,7 @@ void tryHealthy(Tally& tally, std::size_t seed, std::size_t poses) {
   const HealthySkin& kind = kHealthySkins.at(seed % kHealthySkins.size());
   const SkinCase skin_case = {.patch = kind.patch, .surface = kind.surface, .law = kind.law, .poses = poses};
   SimulatedSkin skin = makeSkin(skin_case, seed);
-  const auto result = reconstruct(*measure(skin, skin_case).snapshot());
-  std::set<CellId> accused;
-  std::set<CellId> suspicious;
-  for (const Finding& finding : result->findings) {
-    if (!isAlarm(finding)) continue;
-    if (finding.code == FindingCode::SuspiciousSensor) {
-      suspicious.insert(finding.cells.begin(), finding.cells.end());
-    } else if (finding.ports.empty()) {
-      accused.insert(finding.cells.begin(), finding.cells.end());
-    }
-  }
-  tally.count("alarms", std::ranges::any_of(result->findings, isAlarm));
-  tally.add("accused", accused.size(), result->cellCount());
-  tally.add("suspicious", suspicious.size(), result->cellCount());
-  for (const PatchReconstruction& patch : result->patches) {
-    for (const LinkEstimate& link : patch.links) tally.count("muted", link.muted_by.has_value());
-  }
+  countFalseAlarms(tally, *reconstruct(*measure(skin, skin_case).snapshot()));
 }
 
 FigureRow runRow(const Trials& trials, const Garbage& what) {
@@ -146,16 +124,7 @@ FigureRow runRow(const Trials& trials, const Garbage& what) {
 FigureRow runHealthyRow(const Trials& trials, std::size_t poses, std::size_t sessions) {
   const Tally tally = trials.run("healthy, all patches", sessions,
                                  [poses](Tally& found, std::size_t seed) { tryHealthy(found, seed, poses); });
-  return {ofText("healthy, all patches", "", ""),
-          ofCount("poses", "poses", poses),
-          ofShare("sessions with a false alarm (95 %)", "alarms", tally.share("alarms"), 2),
-          ofShare("cells accused (95 %)", "accused", tally.share("accused"), 3),
-          ofPercent("cells suspicious", "", tally.percent("suspicious"), 3),
-          ofShare("", "suspicious", tally.share("suspicious"), 3),
-          ofPercent("links muted", "", tally.percent("muted"), 3),
-          ofShare("", "muted", tally.share("muted"), 3),
-          ofText("bars", "", "<= 0.2 %, <= 0.1 %"),
-          ofBar(true, tally.percent("alarms") <= kBarFalseAlarms && tally.percent("accused") <= kBarAccused)};
+  return withFalseAlarms({ofText("healthy, all patches", "", ""), ofCount("poses", "poses", poses)}, tally);
 }
 
 }  // namespace

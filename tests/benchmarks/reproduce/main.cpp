@@ -15,9 +15,10 @@ struct Part {
   const char* name;
   Json (*run)(const Trials& trials, bool prints);
 };
-constexpr std::array<Part, 6> kParts = {{{"paper", reproducePaper},
+constexpr std::array<Part, 7> kParts = {{{"paper", reproducePaper},
                                          {"accuracy", tabulateAccuracy},
                                          {"uncertainty", checkUncertainty},
+                                         {"lots", tabulateLots},
                                          {"detection", countDetections},
                                          {"check", countChanges},
                                          {"place", placeOnLinks}}};

@@ -98,7 +98,7 @@ double errorAcross(const NearestPlace& nearest, const PatchToPlace& patch, const
 void runTrial(Tally& tally, const PlaceCase& what, std::size_t seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> share(0, 1);
-  const CellModel model = builtInCellModel("hex-bma150");
+  const CellModel model = independentChips();
   const double around = 2 * kPi * share(random);
   const double along = what.body->from_m + (what.body->to_m - what.body->from_m) * share(random);
   const SE3 T_l_near{rotationFromRpy({0, 0, around + kPi / 2}),

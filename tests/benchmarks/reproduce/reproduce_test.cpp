@@ -89,6 +89,24 @@ TEST_F(Reproduce, UncertaintyAndDetectionAreCounted) {
   for (const auto& row : detection.at("rows")) expectFinite(row, {"false_per_link_percent", "false_per_cell_percent"});
 }
 
+TEST_F(Reproduce, LotsAreBesideIndependentPriorsAndTheBound) {
+  const auto json = jsonOf("--quiet --seeds 2 --only lots --json").at("lots");
+  ASSERT_EQ(json.at("rows").size(), 4 * 12 * 4);  // skins, lots, poses
+  for (const auto& row : json.at("rows")) {
+    expectFinite(row, {"orientation_deg", "orientation_rms_deg", "orientation_independent_priors_deg", "bound_rms_deg",
+                       "nees_position", "nees_orientation"});
+    const double of_bound = row.at("orientation_rms_deg").get<double>() / row.at("bound_rms_deg").get<double>();
+    EXPECT_GT(of_bound, 0.5) << row;
+    EXPECT_LT(of_bound, 1.5) << row;
+    const bool is_independent =
+        row.at("offset_variance_shared_percent") == 0 && row.at("scale_shared_sigma_percent") == 0;
+    EXPECT_EQ(row.at("orientation_deg") == row.at("orientation_independent_priors_deg"), is_independent) << row;
+  }
+  EXPECT_EQ(json.at("few_poses").at(0).at("poses"), 2);
+  ASSERT_EQ(json.at("healthy").size(), 12 * 2);
+  for (const auto& row : json.at("healthy")) EXPECT_EQ(row.at("accused").at("of"), 20 * 17) << row;
+}
+
 TEST_F(Reproduce, HelpHasAnExampleAndWrongUsageIsRefused) {
   EXPECT_THAT(outputOf("--help"), HasSubstr("\n  hexoderm-reproduce --seeds 200"));
   EXPECT_THAT(complaint("--seeds 0", 2), HasSubstr("--seeds: expected a whole number from 1 to 100000, found \"0\""));
@@ -96,10 +114,11 @@ TEST_F(Reproduce, HelpHasAnExampleAndWrongUsageIsRefused) {
 }
 
 TEST_F(Reproduce, TextHasEveryPart) {
-  EXPECT_THAT(outputOf("--quiet --seeds 1"),
-              AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
-                    HasSubstr("Stated uncertainty"), HasSubstr("What is broken is found"), HasSubstr("By hand"),
-                    Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+  EXPECT_THAT(
+      outputOf("--quiet --seeds 1"),
+      AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
+            HasSubstr("Stated uncertainty"), HasSubstr("Chips of one lot"), HasSubstr("What is broken is found"),
+            HasSubstr("By hand"), Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
 TEST_F(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {

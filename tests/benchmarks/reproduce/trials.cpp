@@ -4,16 +4,29 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_session.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numeric>
+#include <set>
 
 namespace hexoderm::cli {
 
-SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed) {
+CellModel independentChips(double offset_sigma_mg) {
   CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g.setConstant(skin_case.offset_sigma_mg / 1000);
+  model.accelerometer.offset_sigma_g.setConstant(offset_sigma_mg / 1000);
+  model.accelerometer.offset_shared_sigma_g = 0;
+  model.accelerometer.scale_shared_sigma = 0;
+  model.mounting_sigma_rad = 0;
+  return model;
+}
+
+SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed) {
+  CellModel model = independentChips(skin_case.offset_sigma_mg);
+  model.accelerometer.offset_shared_sigma_g = skin_case.offset_shared_sigma_mg / 1000;
+  model.accelerometer.scale_shared_sigma = skin_case.scale_shared_sigma;
+  model.mounting_sigma_rad = skin_case.mounting_sigma_rad;
   SimulatedSkinOptions options;
   options.patch = skin_case.patch;
   options.surface = skin_case.surface;
@@ -127,6 +140,51 @@ std::optional<double> Tally::quantile(const std::string& name, double fraction) 
   return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+void noteNees(Tally& tally, const Reconstruction& result, const GroundTruth& truth) {
+  const PatchReconstruction& patch = *largestPatch(result);
+  const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
+  double position = 0;
+  double orientation = 0;
+  double count = 0;
+  for (const CellPlacement& cell : patch.cells) {
+    if (cell.cell == patch.origin || !cell.cov_t_r) continue;
+    const SE3 T_o_u = T_o_b * truePlacement(truth, cell.cell);
+    const Eigen::Vector3d e_t = T_o_u.t - cell.T_o_u.t;
+    const Eigen::Vector3d e_r = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
+    const Eigen::Matrix3d C_t = cell.cov_t_r->topLeftCorner<3, 3>();
+    const Eigen::Matrix3d C_r = cell.cov_t_r->bottomRightCorner<3, 3>();
+    position += e_t.dot(C_t.ldlt().solve(e_t)) / 3;
+    orientation += e_r.dot(C_r.ldlt().solve(e_r)) / 3;
+    ++count;
+  }
+  if (count == 0) return;
+  tally.note("position", position / count);
+  tally.note("orientation", orientation / count);
+}
+
+bool isAlarm(const Finding& finding) {
+  return finding.severity != Severity::Info && finding.code != FindingCode::TooFewDirections;
+}
+
+void countFalseAlarms(Tally& tally, const Reconstruction& result) {
+  std::set<CellId> accused;
+  std::set<CellId> suspicious;
+  for (const Finding& finding : result.findings) {
+    if (!isAlarm(finding)) continue;
+    if (finding.code == FindingCode::SuspiciousSensor) {
+      suspicious.insert(finding.cells.begin(), finding.cells.end());
+    } else if (finding.ports.empty()) {
+      accused.insert(finding.cells.begin(), finding.cells.end());
+    }
+  }
+  tally.count("alarms", std::ranges::any_of(result.findings, isAlarm));
+  tally.add("accused", accused.size(), result.cellCount());
+  tally.add("suspicious", suspicious.size(), result.cellCount());
+  for (const PatchReconstruction& patch : result.patches) {
+    for (const LinkEstimate& link : patch.links) tally.count("muted", link.muted_by.has_value());
+  }
+}
+
 void Trials::report(const std::string& what, std::size_t seed, std::size_t count) const {
   common_.progress(what + ": seed " + std::to_string(seed) + " of " + std::to_string(count));
 }
@@ -165,6 +223,35 @@ Figure ofShare(const std::string& title, const std::string& key, const std::opti
 Figure ofBar(bool has_bar, bool is_reached) {
   if (!has_bar) return {"reached", "-", "reached", Json()};
   return {"reached", is_reached ? "yes" : "NO", "reached", is_reached};
+}
+
+FigureRow withFalseAlarms(FigureRow row, const Tally& tally) {
+  constexpr double kBarSessions = 0.2;  // percent
+  constexpr double kBarCells = 0.1;     // percent
+  row.insert(
+      row.end(),
+      {ofShare("sessions with a false alarm (95 %)", "alarms", tally.share("alarms"), 2),
+       ofShare("cells accused (95 %)", "accused", tally.share("accused"), 3),
+       ofPercent("cells suspicious", "", tally.percent("suspicious"), 3),
+       ofShare("", "suspicious", tally.share("suspicious"), 3), ofPercent("links muted", "", tally.percent("muted"), 3),
+       ofShare("", "muted", tally.share("muted"), 3), ofText("bars", "", "<= 0.2 %, <= 0.1 %"),
+       ofBar(true, tally.percent("alarms") <= kBarSessions && tally.percent("accused") <= kBarCells)});
+  return row;
+}
+
+std::vector<FigureRow> besideEachOther(const std::vector<FigureRow>& rows, std::size_t leading,
+                                       const std::string& which) {
+  std::vector<FigureRow> table;
+  for (const FigureRow& row : rows) {
+    const auto head = row.begin() + static_cast<std::ptrdiff_t>(leading);
+    if (table.empty() || !std::equal(row.begin(), head, table.back().begin(),
+                                     [](const Figure& a, const Figure& b) { return a.text == b.text; })) {
+      table.emplace_back(row.begin(), head);
+    }
+    const auto text = [&](const std::string& title) { return std::ranges::find(row, title, &Figure::title)->text; };
+    table.back().push_back(ofText(text("poses") + " poses", "", text(which)));
+  }
+  return table;
 }
 
 void printTable(const std::vector<FigureRow>& rows) {

@@ -26,13 +26,18 @@ struct SkinCase {
   LinkLaw law = LinkLaw::Bend;
   std::size_t poses = 3;
   double offset_sigma_mg = 60;
-  bool jitter = true;  ///< cells lie where a mould puts them: a little off, a little askew
+  double offset_shared_sigma_mg = 0;  ///< of the chips' lot; the offsets above are the chips' own
+  double scale_shared_sigma = 0;      ///< of the lot
+  double mounting_sigma_rad = 0;      ///< chips sit askew in their cells
+  bool jitter = true;                 ///< cells lie where a mould puts them: a little off, a little askew
   std::vector<CellFault> faults = {};
   std::vector<LinkFault> link_faults = {};
   std::vector<WholeSkinFault> whole_skin_faults = {};
   std::optional<std::size_t> drifts_after = {};
 };
 
+/// The built-in cell model with chips that have nothing in common and sit straight in their cells.
+CellModel independentChips(double offset_sigma_mg = 60);
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);
 /// A calibration session of the skin, with the truth.
 Session measure(SimulatedSkin& skin, const SkinCase& skin_case);
@@ -75,6 +80,17 @@ struct Tally {
   [[nodiscard]] std::optional<double> quantile(const std::string& name, double fraction) const;
   [[nodiscard]] std::optional<double> median(const std::string& name) const { return quantile(name, 0.5); }
 };
+
+/// Notes the normalised estimation error squared, per degree of freedom, as "position" and "orientation"; 1 is honest,
+/// less is too cautious. The truth is moved so that the origin cells coincide, no best fit; mean over the other cells
+/// of e^T C^-1 e / 3.
+void noteNees(Tally& tally, const Reconstruction& result, const GroundTruth& truth);
+
+/// A warning of any kind, but for poses that are too few.
+bool isAlarm(const Finding& finding);
+/// Counts what is said against a healthy skin: as "alarms" of sessions, cells "accused" and "suspicious", links
+/// "muted".
+void countFalseAlarms(Tally& tally, const Reconstruction& result);
 
 /// Repeats trials over seeds on all processors. Every trial depends on its seed alone, so the outcome depends on
 /// neither their number nor their order.
@@ -136,6 +152,14 @@ Figure ofShare(const std::string& title, const std::string& key, const std::opti
 /// Whether a row reaches its bar, if it has one.
 Figure ofBar(bool has_bar, bool is_reached);
 
+/// The figures of countFalseAlarms() and their bars after those of a row.
+FigureRow withFalseAlarms(FigureRow row, const Tally& tally);
+
+/// Makes one row of successive rows that begin with the same `leading` figures: these, and then figure `which` of each
+/// under its number of "poses".
+std::vector<FigureRow> besideEachOther(const std::vector<FigureRow>& rows, std::size_t leading,
+                                       const std::string& which);
+
 /// Columns as wide as their widest entry.
 void printTable(const std::vector<FigureRow>& rows);
 Json toJson(const std::vector<FigureRow>& rows);
@@ -156,6 +180,8 @@ Json countDetections(const Trials& trials, bool prints);
 Json countGarbage(const Trials& trials, bool prints);
 /// How often `check` finds what changed since a calibration, and blames healthy cells.
 Json countChanges(const Trials& trials, bool prints);
+/// Accuracy, stated uncertainty and false alarms where chips are of one lot and sit askew.
+Json tabulateLots(const Trials& trials, bool prints);
 /// How often the true place on a link is found by the link's surface, and how far off.
 Json placeOnLinks(const Trials& trials, bool prints);
 

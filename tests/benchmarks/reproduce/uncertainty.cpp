@@ -3,7 +3,6 @@
 #include "hexoderm/base/text.h"
 #include "hexoderm/solve/reconstructor.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <iostream>
@@ -22,30 +21,6 @@ struct Band {
 constexpr Band kTwoPoses = {0.3, 5};
 constexpr Band kMorePoses = {0.7, 1.5};
 constexpr Band kWrongPrior = {0.3, 4};
-
-/// Notes the normalised estimation error squared, per degree of freedom; 1 is honest, less is too cautious. The truth
-/// is moved so that the origin cells coincide, no best fit; mean over the other cells of e^T C^-1 e / 3.
-void noteNees(Tally& tally, const Reconstruction& result, const GroundTruth& truth) {
-  const PatchReconstruction& patch = *largestPatch(result);
-  const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
-  double position = 0;
-  double orientation = 0;
-  double count = 0;
-  for (const CellPlacement& cell : patch.cells) {
-    if (cell.cell == patch.origin || !cell.cov_t_r) continue;
-    const SE3 T_o_u = T_o_b * truePlacement(truth, cell.cell);
-    const Eigen::Vector3d e_t = T_o_u.t - cell.T_o_u.t;
-    const Eigen::Vector3d e_r = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
-    const Eigen::Matrix3d C_t = cell.cov_t_r->topLeftCorner<3, 3>();
-    const Eigen::Matrix3d C_r = cell.cov_t_r->bottomRightCorner<3, 3>();
-    position += e_t.dot(C_t.ldlt().solve(e_t)) / 3;
-    orientation += e_r.dot(C_r.ldlt().solve(e_r)) / 3;
-    ++count;
-  }
-  if (count == 0) return;
-  tally.note("position", position / count);
-  tally.note("orientation", orientation / count);
-}
 
 /// The same measurements with another prior for the size of offsets.
 Session withPrior(const Session& session, double prior_mg) {
@@ -90,14 +65,7 @@ FigureRow runRow(const Trials& trials, const SkinCase& skin, double prior_mg, Ba
       {"", "", "reached", is_reached}};
 }
 
-/// Rows come in groups of kPoses.size(), one skin measured in that many ways, of which a line is made.
-std::vector<FigureRow> besideEachOther(const std::vector<FigureRow>& rows) {
-  std::vector<FigureRow> table;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    const FigureRow& row = rows[k];
-    if (k % kPoses.size() == 0) table.emplace_back(row.begin(), row.begin() + 3);
-    table.back().push_back(ofText(row[4].text + " poses", "", row[5].text));
-  }
+std::vector<FigureRow> withBars(std::vector<FigureRow> table) {
   FigureRow bars = {ofText("skin", "", "bar"), ofText("law", "", ""), ofText("offsets", "", "")};
   for (const std::size_t poses : kPoses) {
     bars.push_back(ofText(std::to_string(poses) + " poses", "", inWords(poses < 3 ? kTwoPoses : kMorePoses)));
@@ -113,7 +81,7 @@ void print(const std::vector<FigureRow>& rows, const std::vector<FigureRow>& wro
   const std::string of_torus = rows.back()[6].text;
   if (of_torus != std::to_string(seeds)) std::cout << " Of the torus " << of_torus << " skins.";
   std::cout << "\n\n";
-  printTable(besideEachOther(rows));
+  printTable(withBars(besideEachOther(rows, 3, "nees")));
   std::cout << "\nThe offsets' sigma in the cell model is wrong (bar " << inWords(kWrongPrior) << "):\n";
   printTable(wrong_prior);
 }
