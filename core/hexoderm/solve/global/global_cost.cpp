@@ -27,8 +27,8 @@ double twiceCostOf(const GlobalProblem& problem, const GlobalState& state, const
   const Eigen::Matrix3d axes = linkAxes({PortNumber(), link.p_c});
   const Eigen::Matrix3d R_c_n = state.cells[link.c].R.transpose() * state.cells[link.n].R;
   const Eigen::Vector3d w = logSO3(R_c_n * link.R_nom.transpose());
-  const Eigen::Vector3d elastomer(w.dot(axes.col(0)) / model.twist_sigma_rad,
-                                  w.dot(axes.col(1)) / model.bend_sigma_rad, w.dot(axes.col(2)) / model.yaw_sigma_rad);
+  const Eigen::Vector3d elastomer(w.dot(axes.col(0)) / model.twist_sigma_rad, w.dot(axes.col(1)) / model.bend_sigma_rad,
+                                  w.dot(axes.col(2)) / model.yaw_sigma_rad);
   const Eigen::Vector3d closure = openingOf_m(problem, state, link) / problem.link_sigma_m;
   return problem.loss.cost(closure.squaredNorm()) + problem.loss.cost(elastomer.squaredNorm());
 }
