@@ -198,9 +198,8 @@ TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {
 /// Ports up, down and nearly upright, whose cells fold, form steps and lie one on the other.
 std::vector<Port> portsWithHeight() {
   std::vector<Port> ports = hex().ports;
-  for (const Eigen::Vector3d& vector_m :
-       {Eigen::Vector3d(0.012, 0.007, 0.004), Eigen::Vector3d(-0.012, -0.007, -0.004),
-        Eigen::Vector3d(-0.003, 0.013, -0.011), Eigen::Vector3d(1e-8, -1e-8, 0.5)}) {
+  for (const Eigen::Vector3d& vector_m : {Eigen::Vector3d(0.012, 0.007, 0.004), Eigen::Vector3d(-0.012, -0.007, -0.004),
+                                          Eigen::Vector3d(-0.003, 0.013, -0.011), Eigen::Vector3d(1e-8, -1e-8, 0.5)}) {
     ports.push_back({PortNumber(9), vector_m});
   }
   return ports;

@@ -89,7 +89,7 @@ TEST_P(RealGarbage, PortsWithHeightFoldTheLinks) {
     Session session(model, drawn.neighbors());
     for (const SessionPose& pose : drawn.poses()) session.addPose(pose);
     const auto result = reconstruct(*session.snapshot(), test::by(GetParam()));
-    for (const Finding& finding : result->findings) EXPECT_EQ(finding.severity, Severity::Info) << finding.code;
+    for (const Finding& found : result->findings) EXPECT_EQ(found.severity, Severity::Info) << found.message.english();
     const std::vector<Comparison> compared = compareToTruth(*result, *drawn.truth());
     ASSERT_THAT(compared, SizeIs(1));
     EXPECT_EQ(compared.front().cells.size(), 5U);
