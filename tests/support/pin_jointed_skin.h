@@ -4,6 +4,7 @@
 // in one point. They fix what the method must give on data that fit its model.
 
 #include "hexoderm/session/session.h"
+#include "tests/support/independent_chips.h"
 
 #include <array>
 #include <map>
@@ -25,7 +26,7 @@ struct PinJoint {
 class PinJointedSkin {
  public:
   /// A tree of joints, each starting at a cell that is already placed; the first joint's source is the root.
-  explicit PinJointedSkin(const std::vector<PinJoint>& joints, CellModel cell_model = builtInCellModel("hex-bma150"))
+  explicit PinJointedSkin(const std::vector<PinJoint>& joints, CellModel cell_model = independentChips())
       : model(std::move(cell_model)) {
     truth[CellId(joints.empty() ? 1 : joints.front().source)] = SE3();
     for (const PinJoint& joint : joints) {
@@ -66,9 +67,9 @@ class PinJointedSkin {
   std::map<CellId, std::vector<NeighborReport>> neighbors;
 };
 
-/// The built-in model, whose ports 1 to 4 have these heights.
+/// Independent chips on cells whose ports 1 to 4 have these heights.
 inline CellModel modelOfHeights(const std::array<double, 4>& heights_m) {
-  CellModel model = builtInCellModel("hex-bma150");
+  CellModel model = independentChips();
   for (std::size_t k = 0; k < heights_m.size(); ++k) model.ports.at(k).vector_m.z() = heights_m.at(k);
   return model;
 }
@@ -76,7 +77,7 @@ inline CellModel modelOfHeights(const std::array<double, 4>& heights_m) {
 inline CellModel modelOfStepsAndFolds() { return modelOfHeights({0.004, -0.005, -0.002, -0.004}); }
 
 /// X17 around something like an arm: two lines of nine cells through cell 1, every joint bent, a little twisted.
-inline PinJointedSkin bentX17(const CellModel& model = builtInCellModel("hex-bma150")) {
+inline PinJointedSkin bentX17(const CellModel& model = independentChips()) {
   std::vector<PinJoint> joints;
   std::uint32_t next = 2;
   const std::pair<std::uint32_t, std::uint32_t> arms[] = {{1, 4}, {4, 1}, {2, 3}, {3, 2}};
@@ -94,7 +95,7 @@ inline PinJointedSkin bentX17(const CellModel& model = builtInCellModel("hex-bma
 }
 
 /// A straight line of eight cells, bent into an open or nearly closed ring, whose free ends these are.
-inline PinJointedSkin ringOfEight(double bend_rad, const CellModel& model = builtInCellModel("hex-bma150")) {
+inline PinJointedSkin ringOfEight(double bend_rad, const CellModel& model = independentChips()) {
   std::vector<PinJoint> joints;
   for (std::uint32_t k = 1; k < 8; ++k) joints.push_back({k, 2, k + 1, 3, bend_rad, 0, 0});
   return PinJointedSkin(joints, model);

@@ -13,15 +13,6 @@
 
 namespace hexoderm::cli {
 
-CellModel independentChips(double offset_sigma_mg) {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_sigma_g.setConstant(offset_sigma_mg / 1000);
-  model.accelerometer.offset_shared_sigma_g = 0;
-  model.accelerometer.scale_shared_sigma = 0;
-  model.mounting_sigma_rad = 0;
-  return model;
-}
-
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed) {
   CellModel model = independentChips(skin_case.offset_sigma_mg);
   model.accelerometer.offset_shared_sigma_g = skin_case.offset_shared_sigma_mg / 1000;

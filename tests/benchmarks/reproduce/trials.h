@@ -8,6 +8,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/json.h"
+#include "tests/support/independent_chips.h"
 
 #include <atomic>
 #include <map>
@@ -36,8 +37,6 @@ struct SkinCase {
   std::optional<std::size_t> drifts_after = {};
 };
 
-/// The built-in cell model with chips that have nothing in common and sit straight in their cells.
-CellModel independentChips(double offset_sigma_mg = 60);
 SimulatedSkin makeSkin(const SkinCase& skin_case, std::size_t seed);
 /// A calibration session of the skin, with the truth.
 Session measure(SimulatedSkin& skin, const SkinCase& skin_case);

@@ -129,7 +129,7 @@ TEST(Lot, IsStatedWithItsUncertainty) {
 
 TEST(Lot, IsAllOfChipsThatAreAlike) {
   CellModel model = chips(0, 0.05, 0.1);
-  model.accelerometer.scale_sigma = model.accelerometer.cross_axis_sigma = 0;
+  model.accelerometer.scale_sigma = model.accelerometer.cross_axis_sigma = model.mounting_sigma_rad = 0;
   SimulatedSkinOptions options = SimulatedSkinOptions::ideal();
   options.sensor_errors = true;
   SimulatedSkin skin(model, options);

@@ -5,6 +5,7 @@
 
 #include "hexoderm/solve/reconstructor.h"
 #include "hexoderm/solve/solve.h"
+#include "tests/support/independent_chips.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/testing.h"
@@ -224,7 +225,7 @@ TEST(PatchEvidence, DoesNotDependOnThePrior) {
 }
 
 TEST(UnlikelySensors, OffsetsThreeTimesAsLargeAreNamed) {
-  const CellModel believed = builtInCellModel("hex-bma150");
+  const CellModel believed = independentChips();
   const CellModel real = modelWith(0.18, 0, 0.02, 0.005);
   const std::size_t seeds = kSlowBuild ? 2 : 20;
   std::size_t of_x17 = 0;
