@@ -95,6 +95,9 @@ class Estimation {
   std::optional<SensorStatistics> run(const std::stop_token& stop) {
     constexpr int kMaxRounds = 10;
     Accelerometer prior = withLeastSigmas(model_.accelerometer);
+    // What a lot has in common must not pass for broken sensors before it is known.
+    prior.offset_shared_sigma_g = std::max(prior.offset_shared_sigma_g, 0.05);
+    prior.scale_shared_sigma = std::max(prior.scale_shared_sigma, 0.1);
     while (!result_.settled && result_.rounds < kMaxRounds) {
       const std::optional<std::vector<SensorEvidence>> evidence = collect(prior, stop);
       if (!evidence) return std::nullopt;

@@ -128,16 +128,17 @@ TEST(SensorStatistics, TheOffsetOfALotIsFound) {
 
 TEST(SensorStatistics, TheScaleOfALotIsToldFromThatOfItsChips) {
   const CellModel believed = builtInCellModel("hex-bma150");
-  CellModel real = modelWith(0.03, 0, 0.005, 0.005);
+  CellModel real = modelWith(std::hypot(0.015, 0.05), 0.05, 0.005, 0.005);
   real.accelerometer.scale_shared_sigma = 0.1;
-  for (std::uint64_t seed = 1; seed <= (kSlowBuild ? 1 : 5); ++seed) {
-    SCOPED_TRACE(seed);
-    const SimulatedSkin skin(real, test::skinOptions("x17", "", seed));
+  // By the sessions' model, the whole of the last one is broken.
+  for (const Skin& what : {Skin{"x17", 6, 1}, Skin{"x17", 6, 2}, Skin{"x17", 4, 3}, Skin{"ring8:closed", 6, 1}}) {
+    SCOPED_TRACE(what.patch + ", seed " + std::to_string(what.seed));
+    const SimulatedSkin skin(real, test::skinOptions(what.patch, "", what.seed));
     double scale = 0;
     for (const TrueCell& cell : skin.truth()) {
       scale += cell.gain.trace() / 3 / static_cast<double>(skin.truth().size());
     }
-    const auto statistics = estimateSensorStatistics(Snapshots{simulate(real, believed, {.seed = seed})});
+    const auto statistics = estimateSensorStatistics(Snapshots{simulate(real, believed, what)});
     const SensorSigmas& sigmas = statistics->sigmas;
     ASSERT_EQ(sigmas.scale.knowledge, SigmaKnowledge::Measured);
     EXPECT_LE(sigmas.scale.low_95, 0.005);
@@ -146,7 +147,7 @@ TEST(SensorStatistics, TheScaleOfALotIsToldFromThatOfItsChips) {
     EXPECT_NEAR(sigmas.lot->scale, scale, 0.01);
     const Accelerometer& written = statistics->model.accelerometer;
     EXPECT_NEAR(written.scale_shared_sigma, std::abs(scale - 1), 0.01);
-    EXPECT_LT(written.scale_sigma, 0.015);
+    EXPECT_LT(written.scale_sigma, 0.01);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -269,9 +270,11 @@ std::optional<LotEstimate> lotOf(const Likelihood& likelihood, const Variances& 
 }  // namespace
 
 Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
-  const double more = shared_scale.knowledge == SigmaKnowledge::AtMost ? shared_scale.sigma : 0;
-  accelerometer.scale_sigma = std::hypot(scale.forModel(), more);
-  accelerometer.scale_shared_sigma = shared_scale.knowledge == SigmaKnowledge::AtMost ? 0 : shared_scale.sigma;
+  const double whole = accelerometer.ofUnknownLot().scale_sigma;
+  double& own = accelerometer.scale_sigma = scale.forModel();
+  double& shared = accelerometer.scale_shared_sigma = shared_scale.sigma;
+  if (shared_scale.knowledge == SigmaKnowledge::AtMost) own = std::hypot(own, std::exchange(shared, 0));
+  if (shared_scale.knowledge == SigmaKnowledge::Unknown) shared = std::sqrt(std::max(0.0, whole * whole - own * own));
   accelerometer.cross_axis_sigma = cross_axis.forModel();
   const double whole_g = offset_g.forModel();
   double& shared_g = accelerometer.offset_shared_sigma_g;

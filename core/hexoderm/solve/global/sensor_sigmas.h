@@ -39,7 +39,7 @@ struct SensorSigmas {
   std::optional<LotEstimate> lot;  ///< absent where readings don't tell it
 
   /// The cell model's accelerometer with these sigmas. Shared ones are written if they are measured; what is only
-  /// bounded counts as the sensors' own.
+  /// bounded counts as the sensors' own. Where the shared scale can't be told, the model's stands as a whole.
   [[nodiscard]] Accelerometer inModel(Accelerometer accelerometer) const;
 };
 

@@ -215,9 +215,17 @@ TEST(SensorSigmas, WithoutInformationStayTheModelsAndSaySo) {
   EXPECT_TRUE(written.offset_sigma_g.isApprox(model.offset_sigma_g, 1e-12));
   EXPECT_DOUBLE_EQ(written.offset_shared_sigma_g, model.offset_shared_sigma_g);
   EXPECT_EQ(written.scale_sigma, model.scale_sigma);
-  EXPECT_EQ(written.scale_shared_sigma, model.scale_shared_sigma);
+  EXPECT_DOUBLE_EQ(written.scale_shared_sigma, model.scale_shared_sigma);
   EXPECT_EQ(written.cross_axis_sigma, model.cross_axis_sigma);
   EXPECT_EQ(estimateSensorSigmas({}, model).offset_g.knowledge, SigmaKnowledge::Unknown);
+}
+
+TEST(SensorSigmas, AScaleWhoseSharedPartCannotBeToldStandsAsAWhole) {
+  SensorSigmas sigmas;
+  sigmas.scale = {.knowledge = SigmaKnowledge::AtMost, .sigma = 0.003, .high_95 = 0.004};
+  const Accelerometer written = sigmas.inModel(accelerometer(0.06, 0, 0.02, 0.005));
+  EXPECT_EQ(written.scale_sigma, 0.004);
+  EXPECT_DOUBLE_EQ(written.ofUnknownLot().scale_sigma, 0.02);
 }
 
 TEST(SensorSigmas, ErrorsBelowWhatReadingsShowAreBounded) {
