@@ -23,6 +23,8 @@ constexpr double kBarAccused = 0.1;        ///< percent of cells
 constexpr std::size_t kFewerOfTorus = 10;  ///< settling 100 cells on a torus takes the simulator long
 constexpr std::size_t kMoreHealthy = 10;   ///< times as many sessions show whether anybody is accused
 
+const std::string kOfBound = "orientation_rms_over_bound";
+
 struct Lot {
   double shared = 0;        ///< share of the offset's variance that is the lot's
   double scale_sigma = 0;   ///< of the lot's scale
@@ -143,9 +145,9 @@ FigureRow runRow(const Trials& trials, const SkinCase& skin_case, FigureRow row)
       ofText("stated", "", besides(position, orientation, accused) + (is_reached ? "" : " NO")),
       ofCount("", "skins", skins),
       ofNumber("", "orientation_deg", known),
-      ofNumber("", "orientation_rms_deg", toDegrees(std::sqrt(tally.mean("known squared").value_or(0)))),
       ofNumber("", "orientation_independent_priors_deg", independent),
       ofNumber("", "bound_rms_deg", bound),
+      ofNumber("", kOfBound, toDegrees(std::sqrt(tally.mean("known squared").value_or(0))) / bound),
       ofNumber("", "nees_position", position),
       ofNumber("", "nees_orientation", orientation),
       ofShare("", "accused", tally.share("accused"), 3),
@@ -181,6 +183,12 @@ void print(const std::vector<FigureRow>& rows, const FigureRow& few, const std::
       << "while cells of one part tremble together. Errors are rms over the cells, all turned together to fit "
          "best.\n\n";
   printTable(besideEachOther(rows, 4, "orientation"));
+  const auto ofBound = [](const FigureRow& row) {
+    return std::ranges::find(row, kOfBound, &Figure::key)->value.get<double>();
+  };
+  const auto [least, most] = std::ranges::minmax_element(rows, {}, ofBound);
+  std::cout << "\nThe rms errors of the first are " << formatFixed(ofBound(*least), 2) << " to "
+            << formatFixed(ofBound(*most), 2) << " times the bound.\n";
   std::cout << "\nStated uncertainty of the first: normalised estimation error squared (mean) of positions / of\n"
             << "orientations / cells accused in vain, %. Bars: " << formatFixed(kBarLow, 1) << " to "
             << formatFixed(kBarHigh, 1) << ", " << formatFixed(kBarAccused, 1) << " %. NO marks what is outside.\n\n";
