@@ -334,6 +334,11 @@ SensorSigmas estimateSensorSigmas(std::span<const SensorEvidence> evidence, cons
                                      model.offset_shared_sigma_g);
   }
   if (sigmas.shared_offset_g.knowledge != SigmaKnowledge::Unknown) sigmas.lot = lotOf(likelihood, variances);
+  // A chip's own scale and cross-axis errors are those of what it reads before its lot's scale.
+  for (SigmaEstimate* own_error : {&sigmas.scale, &sigmas.cross_axis}) {
+    if (!sigmas.lot || own_error->knowledge == SigmaKnowledge::Unknown) continue;
+    for (double* figure : {&own_error->sigma, &own_error->low_95, &own_error->high_95}) *figure /= sigmas.lot->scale;
+  }
   return sigmas;
 }
 

@@ -144,16 +144,17 @@ TEST(SensorSigmas, OfErrorsThatAreKnownExactlyAreTheirSpread) {
   }
   const double shared_scale = std::sqrt(mean_scale * mean_scale - scale / (3 * kSensors));
   scale = std::sqrt(scale);
-  EXPECT_NEAR(sigmas.scale.sigma, scale, 1e-4 * scale);
+  const double lot_scale = 1 + mean_scale;  // own errors come before it
+  EXPECT_NEAR(sigmas.scale.sigma * lot_scale, scale, 1e-4 * scale);
   EXPECT_NEAR(sigmas.shared_scale.sigma, shared_scale, 1e-3 * shared_scale);
-  EXPECT_NEAR(sigmas.cross_axis.sigma, cross_axis, 1e-4 * cross_axis);
+  EXPECT_NEAR(sigmas.cross_axis.sigma * lot_scale, cross_axis, 1e-4 * cross_axis);
   EXPECT_NEAR(sigmas.shared_offset_g.sigma, std::sqrt(shared), 1e-3 * std::sqrt(shared));
   EXPECT_NEAR(sigmas.offset_g.sigma, std::sqrt(within + shared), 1e-3 * std::sqrt(within + shared));
   ASSERT_TRUE(sigmas.lot);
   EXPECT_TRUE(sigmas.lot->offset_g.isApprox(mean, 1e-6));
   EXPECT_NEAR(sigmas.lot->offset_sigma_g[0], std::sqrt(within / kSensors), 1e-3 * std::sqrt(within / kSensors));
-  EXPECT_NEAR(sigmas.lot->scale, 1 + mean_scale, 1e-4);
-  EXPECT_NEAR(sigmas.lot->scale_sigma, scale / std::sqrt(3 * kSensors) / (1 + mean_scale), 1e-5);
+  EXPECT_NEAR(sigmas.lot->scale, lot_scale, 1e-4);
+  EXPECT_NEAR(sigmas.lot->scale_sigma, scale / std::sqrt(3 * kSensors) / lot_scale, 1e-5);
   // Each exactly known error is worth one; a lot has three offsets and one scale, to which one goes.
   EXPECT_NEAR(sigmas.scale.worth, 3 * kSensors - 1, 0.1);
   EXPECT_NEAR(sigmas.cross_axis.worth, 6 * kSensors, 0.1);
@@ -172,13 +173,16 @@ TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
   const SensorSigmas sigmas = estimateSensorSigmas(std::vector{evidence}, accelerometer(0.06, 0, 0.02, 0.005));
   const double shared = std::pow(sigmas.shared_offset_g.sigma, 2);
   const double own = std::pow(sigmas.offset_g.sigma, 2) - shared;
+  ASSERT_TRUE(sigmas.lot);  // own errors come before its scale
+  const double scale = sigmas.scale.sigma * sigmas.lot->scale;
+  const double cross_axis = sigmas.cross_axis.sigma * sigmas.lot->scale;
   Eigen::VectorXd D(x.size());  // variances of the sensors' own errors
   Eigen::MatrixXd U = Eigen::MatrixXd::Zero(x.size(), 4);
   for (Eigen::Index k = 0; k < x.size(); ++k) {
     const SensorError kind = kindOfParameter(k);
     D[k] = kind == SensorError::Offset  ? own
-           : kind == SensorError::Scale ? std::pow(sigmas.scale.sigma, 2)
-                                        : std::pow(sigmas.cross_axis.sigma, 2);
+           : kind == SensorError::Scale ? std::pow(scale, 2)
+                                        : std::pow(cross_axis, 2);
     if (kind == SensorError::Offset) U(k, (k % kSensorParameters) / 4) = 1;
     if (kind == SensorError::Scale) U(k, 3) = 1;
   }
@@ -193,8 +197,8 @@ TEST(SensorSigmas, AreWhereExpectationMaximisationSettles) {
   };
   const Eigen::VectorXd moments = momentsOf(D.asDiagonal(), D.asDiagonal());
   EXPECT_NEAR(rootMeanOf(SensorError::Offset, moments), std::sqrt(own), 1e-3 * std::sqrt(own));
-  EXPECT_NEAR(rootMeanOf(SensorError::Scale, moments), sigmas.scale.sigma, 1e-3 * sigmas.scale.sigma);
-  EXPECT_NEAR(rootMeanOf(SensorError::CrossAxis, moments), sigmas.cross_axis.sigma, 1e-3 * sigmas.cross_axis.sigma);
+  EXPECT_NEAR(rootMeanOf(SensorError::Scale, moments), scale, 1e-3 * scale);
+  EXPECT_NEAR(rootMeanOf(SensorError::CrossAxis, moments), cross_axis, 1e-3 * cross_axis);
   const Eigen::VectorXd of_lot = momentsOf(w.asDiagonal() * U.transpose(), w.asDiagonal());
   EXPECT_NEAR(std::sqrt(of_lot.head<3>().mean()), std::sqrt(shared), 2e-3 * std::sqrt(shared));
   EXPECT_NEAR(std::sqrt(of_lot[3]), sigmas.shared_scale.sigma, 2e-3 * sigmas.shared_scale.sigma);
