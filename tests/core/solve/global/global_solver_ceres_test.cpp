@@ -3,6 +3,7 @@
 #include "hexoderm/solve/global/global_solver.h"
 #include "tests/core/solve/global/ceres_oracle.h"
 #include "tests/core/solve/global/joint_case.h"
+#include "tests/support/pin_jointed_skin.h"
 
 #include <gtest/gtest.h>
 
@@ -50,6 +51,17 @@ TEST(GlobalSolverAgainstCeres, SameOptimumWithEveryGapModel) {
                         std::string(c.patch) + ", " + nameOf(gap) + ", " + std::to_string(c.poses) + " poses, seed " +
                             std::to_string(c.seed));
     }
+  }
+}
+
+TEST(GlobalSolverAgainstCeres, SameOptimumWherePortsHaveHeight) {
+  CellModel model = modelOfStepsAndFolds();
+  model.accelerometer = {};
+  for (const GapShare& gap : {kFitGap, kArcGap, kPivotGap}) {
+    GlobalCase example = exactX17(model, gap.mean, 0.5, 0.2, 0.03, 1);
+    example.problem.gap = gap;
+    addExactReadings(example, {Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()});
+    expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, 1), nameOf(gap));
   }
 }
 
