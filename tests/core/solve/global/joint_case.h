@@ -4,6 +4,7 @@
 // and readings that obey the sensor model exactly.
 
 #include "hexoderm/base/units.h"
+#include "tests/support/independent_chips.h"
 #include "tests/support/normal_draw.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/testing.h"
@@ -124,8 +125,9 @@ inline GlobalCase exactRing(CellModel model, double share) {
 }
 
 /// A simulated skin in `poses` scripted poses. The directions of `truth` are those asked for; a hand misses them.
-inline GlobalCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap) {
-  SimulatedSkin skin = test::simulatedSkin(options);
+inline GlobalCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap,
+                                const CellModel& model = builtInCellModel("hex-bma150")) {
+  SimulatedSkin skin(model, options);
   GlobalCase example(skin.model());
   GlobalProblem& problem = example.problem;
   const std::vector<TrueCell>& truth = skin.truth();
