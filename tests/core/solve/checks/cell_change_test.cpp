@@ -69,12 +69,12 @@ TEST(ConsensusOfCells, ComparesACellWithTheOthersWhetherItIsAmongThemOrNot) {
   std::vector<CellView> cells = driftedViews(12, {0.01, 0, -0.01}, random);
   const Consensus with_it(cells, 2, kLimit, kDrift);
   ASSERT_EQ(with_it.size(), 12U);
+  const ViewComparison one = with_it.compare(2);
   const Eigen::VectorXd shift = Eigen::VectorXd::Constant(6, 0.1);
   cells[2].force_o_g += shift;
   const Consensus without_it(cells, 2, kLimit, kDrift);
   ASSERT_FALSE(without_it.holds(2));
   ASSERT_EQ(without_it.size(), 11U);
-  const ViewComparison one = with_it.compare(2);
   const ViewComparison other = without_it.compare(2);
   EXPECT_LT((one.residual_g + shift - other.residual_g).norm(), 1e-9);
   const Eigen::MatrixXd covariance_g2 = other.covariance_g2 / without_it.varianceFactor();
