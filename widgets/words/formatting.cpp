@@ -104,6 +104,12 @@ QString figureText(double value, int decimals) {
   return text;
 }
 
+QString lotWords(const LotEstimate& lot) {
+  QString text = words(lotText(lot));
+  text.replace(QStringLiteral("+-"), QStringLiteral("±"));
+  return text.replace(QLatin1Char('-'), QStringLiteral("−"));
+}
+
 QString degreesText(std::optional<double> angle_rad) {
   return angle_rad ? figureText(toDegrees(*angle_rad), 1) + QStringLiteral("°") : noValue();
 }
@@ -232,7 +238,7 @@ QString cellToolTip(const Reconstruction& reconstruction, CellId cell, LinksOfCe
   }
   if (placement->accel_scale) {
     lines << Words::tr("Accelerometer scale %1").arg(threeNumbers(*placement->accel_scale, 3));
-    if (patch->lot) lines << Words::tr("Shared by its lot: %1").arg(words(lotText(*patch->lot)));
+    if (patch->lot) lines << Words::tr("Shared by its lot: %1").arg(lotWords(*patch->lot));
   }
   for (const Finding& finding : reconstruction.findings) {
     constexpr std::size_t kMaxCells = 4;  // one that names half of the skin is not about this cell

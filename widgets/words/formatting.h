@@ -13,6 +13,7 @@ namespace hexoderm {
 QString noValue();
 /// No line breaks between a figure and its unit.
 QString unbroken(QString text);
+QString lotWords(const LotEstimate& lot);  ///< lotText() in the program's language, with real signs
 /// With a real minus sign, and none before a zero.
 QString figureText(double value, int decimals);
 QString degreesText(std::optional<double> angle_rad);

@@ -538,7 +538,7 @@ class ReportPage {
       }
       if (patch.lot) {
         rows.emplace_back(tr("Lot of accelerometers, patch of cell %1").arg(patch.origin.value()),
-                          words(lotText(*patch.lot)));
+                          lotWords(*patch.lot));
       }
     }
     document_.blocks.emplace_back(ReportPairs{std::move(rows)});

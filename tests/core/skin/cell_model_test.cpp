@@ -157,7 +157,7 @@ TEST(CellModelJson, StatesTheErrorsOfItsChip) {
   EXPECT_EQ(cellModelToJson(model).find("offset_shared_sigma_g"), std::string::npos);
   EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma_g\": 0.5, \"offset_sigma_g\": "),
               saysAll("m.json: accelerometer.shared_offset_sigma_g: expected at most",
-                      "of which it is a part: 0.06, found 0.5"));
+                      "of which it is a part: 0.04, found 0.5"));
   EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"offset_shared_sigma\": 0.01, \"offset_sigma_g\": "),
               saysAll("m.json: accelerometer.offset_shared_sigma:", "mean offset_shared_sigma_g?"));
 }

@@ -58,7 +58,9 @@ TEST(Size, MemoryGrowsWithTheSquareOfThePosesAtMost) {
 TEST(Size, TheGlobalSolverTakesLittleMemoryForACell) {
   const std::size_t before = cores();
   setCores(1);
-  EXPECT_LT(memoryToSolve_MB(test::simulatedSession(test::robotOptions("sheet:80x80", "cylinder:r=0.56"), 3, 10)), 92);
+  // The lot's four columns are 1.2 MB of it, in the equations and once more in their factor.
+  EXPECT_LT(memoryToSolve_MB(test::simulatedSession(test::robotOptions("sheet:80x80", "cylinder:r=0.56"), 3, 10)),
+            94.4);
   setCores(before);
 }
 

@@ -62,7 +62,7 @@ TEST(WireSource, DeliversFromASerialPortAfterGarbage) {
   const std::uint32_t led = source->send(SetLed{CellId(1), 1, 2, 3});
   EXPECT_EQ(device.receive(), (skinwire::Command{led, skinwire::SetLed{1, 1, 2, 3}}));
   source->stop();
-  EXPECT_EQ(listener.delivered().status().rejected_messages, 2U);
+  EXPECT_EQ(listener.delivered().status().rejected_messages, 1U) << "the first may be the end of a whole one";
 }
 
 TEST(WireSource, StopsInEveryState) {
