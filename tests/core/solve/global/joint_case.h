@@ -4,6 +4,7 @@
 // and readings that obey the sensor model exactly.
 
 #include "hexoderm/base/units.h"
+#include "tests/support/independent_chips.h"
 #include "tests/support/normal_draw.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/testing.h"
@@ -19,14 +20,6 @@ inline const GapShare kFitGap{0.5, 0.5};
 inline const char* nameOf(const GapShare& gap) {
   if (gap.sigma) return "fit";
   return gap.mean == 0 ? "pivot" : "arc";
-}
-
-/// Chips that share an offset and a scale.
-inline CellModel modelOfALot() {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_shared_sigma_g = 0.05;
-  model.accelerometer.scale_shared_sigma = 0.1;
-  return model;
 }
 
 struct GlobalCase {
