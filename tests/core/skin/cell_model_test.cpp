@@ -61,13 +61,6 @@ TEST(CellModel, OutlineRunsCounterClockwiseFromX) {
   EXPECT_NEAR(area, 1.5 * std::sqrt(3.0) * model.side_m * model.side_m, 1e-12);
 }
 
-TEST(CellModel, ForbiddenPairsHaveNoOrder) {
-  const CellModel model = ownModel();
-  EXPECT_TRUE(model.isForbidden(PortNumber(1), PortNumber(9)));
-  EXPECT_TRUE(model.isForbidden(PortNumber(9), PortNumber(1)));
-  EXPECT_FALSE(model.isForbidden(PortNumber(1), PortNumber(2)));
-}
-
 TEST(CellModelJson, ComesBackAsItWas) {
   const CellModel model = ownModel();
   const std::string text = cellModelToJson(model);
@@ -118,12 +111,6 @@ TEST(CellModelJson, TakesCalibratedScalesForCalibratedAxes) {
   EXPECT_EQ(sparseModel("0").accelerometer.cross_axis_sigma, 0);
   EXPECT_DOUBLE_EQ(sparseModel("0.004").accelerometer.cross_axis_sigma, 0.001);
   EXPECT_EQ(sparseModel("0.2").accelerometer.cross_axis_sigma, 0.005);
-}
-
-TEST(CellModelJson, IsLoadedFromAFileOfTheUsersOwn) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.put("own.json", cellModelToJson(ownModel()));
-  EXPECT_EQ(loadCellModel(path.string()).name, "own");
 }
 
 /// The complaint about the built-in model with one text replaced.

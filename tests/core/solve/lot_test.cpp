@@ -39,13 +39,11 @@ struct Outcome {
 Outcome calibrate(const CellModel& real, const CellModel& believed, const std::string& patch, std::size_t poses,
                   Solver solver = Solver::Global) {
   Outcome outcome;
-  SolverOptions options;
-  options.solver = solver;
   for (std::uint64_t seed = 1; seed <= kLots; ++seed) {
     SimulatedSkin skin(real, test::skinOptions(patch, "", seed));
     Session session = simulateSession(skin, poses);
     session.setSkin(believed, session.neighbors());
-    const auto result = reconstruct(*session.snapshot(), options);
+    const auto result = reconstruct(*session.snapshot(), test::by(solver));
     outcome.errors_rad.push_back(compareToTruth(*result, *session.truth()).at(0).orientation_rms_rad);
     outcome.accused += static_cast<std::size_t>(std::ranges::count_if(
         result->findings, [](const Finding& finding) { return finding.severity != Severity::Info; }));
