@@ -1,4 +1,4 @@
-// Both solvers must find one optimum.
+// Both solvers must find one optimum: of chips that share nothing, as the oracle has them.
 
 #include "hexoderm/solve/global/global_solver.h"
 #include "tests/core/solve/global/ceres_oracle.h"
@@ -45,7 +45,8 @@ TEST(GlobalSolverAgainstCeres, SameOptimumWithEveryGapModel) {
                         Case{"x17", "", 2, 3}, Case{"x17", "", 3, 3}, Case{"ring8:closed", "", 4, 3},
                         Case{"sheet:5x5", "cylinder:r=0.06", 5, 3}}) {
     for (const GapShare& gap : {kFitGap, kArcGap, kPivotGap}) {
-      const GlobalCase example = simulatedCase(test::skinOptions(c.patch, c.surface, c.seed), c.poses, gap);
+      const GlobalCase example =
+          simulatedCase(test::skinOptions(c.patch, c.surface, c.seed), c.poses, gap, independentChips());
       expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.05, 0.001, c.seed),
                         std::string(c.patch) + ", " + nameOf(gap) + ", " + std::to_string(c.poses) + " poses, seed " +
                             std::to_string(c.seed));
@@ -54,13 +55,15 @@ TEST(GlobalSolverAgainstCeres, SameOptimumWithEveryGapModel) {
 }
 
 TEST(GlobalSolverAgainstCeres, SameOptimumWithAngularAccelerations) {
-  GlobalCase example = simulatedCase(test::skinOptions("sheet:10x10", "cylinder:r=0.1", 6), 3, kFitGap);
+  GlobalCase example =
+      simulatedCase(test::skinOptions("sheet:10x10", "cylinder:r=0.1", 6), 3, kFitGap, independentChips());
   example.problem.accelerations = true;
   expectSameOptimum(example.problem, perturbed(example.problem, example.truth, 0.03, 0.001, 6), "10x10");
 }
 
 TEST(GlobalSolverAgainstCeres, SameOptimumWithOutliersAndCellsWithoutReadings) {
-  GlobalCase example = simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06", 7), 4, kFitGap);
+  GlobalCase example =
+      simulatedCase(test::skinOptions("sheet:5x5", "cylinder:r=0.06", 7), 4, kFitGap, independentChips());
   example.problem.readings[7].clear();
   example.problem.readings[3][1].y_g = Eigen::Vector3d(0.9, 0.1, 0.2);
   example.problem.readings[18][2].y_g.y() += 0.5;

@@ -117,8 +117,9 @@ inline GlobalCase exactRing(CellModel model, double share) {
 }
 
 /// A simulated skin in `poses` scripted poses. The directions of `truth` are those asked for; a hand misses them.
-inline GlobalCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap) {
-  SimulatedSkin skin = test::simulatedSkin(options);
+inline GlobalCase simulatedCase(const SimulatedSkinOptions& options, std::size_t poses, const GapShare& gap,
+                                const CellModel& model = builtInCellModel("hex-bma150")) {
+  SimulatedSkin skin(model, options);
   GlobalCase example(skin.model());
   GlobalProblem& problem = example.problem;
   const std::vector<TrueCell>& truth = skin.truth();
