@@ -23,6 +23,7 @@
 #include "hexoderm/solve/tree/edge_batches.h"
 #include "tests/benchmarks/cpu_time.h"
 #include "tests/benchmarks/factor_ratios.h"
+#include "tests/support/independent_chips.h"
 #include "tests/support/options.h"
 #include "tests/support/simulated_skins.h"
 #ifdef HEXODERM_HAS_CERES
@@ -49,11 +50,12 @@ constexpr std::size_t kPoses = 3;
 /// Ceres takes minutes beyond that.
 constexpr std::size_t kMaxCellsForCeres = 10'000;
 
-/// About square.
+/// About square, of chips that have nothing in common, as Ceres' cost has them.
 Session sheet(std::size_t cells, bool hand_held) {
   const auto rows = static_cast<std::size_t>(std::sqrt(static_cast<double>(cells)));
-  return test::simulatedSession(
-      test::with(test::bentSheet(rows, cells / rows, 3), &SimulatedSkinOptions::hand_held, hand_held), kPoses);
+  SimulatedSkin skin(independentChips(),
+                     test::with(test::bentSheet(rows, cells / rows, 3), &SimulatedSkinOptions::hand_held, hand_held));
+  return simulateSession(skin, kPoses);
 }
 
 void print(const std::string& what, double ms, double unit_ms) {

@@ -111,6 +111,7 @@ class Readings {
   /// Errors of the cells' attitudes, each in its own frame, by the angles of all links on the way from the first cell.
   [[nodiscard]] std::vector<Eigen::MatrixXd> attitudes() const {
     const CellModel& model = skin_.model();
+    const Eigen::Vector3d sigmas_rad(model.twist_sigma_rad, model.bend_sigma_rad, model.yaw_sigma_rad);
     const std::vector<TrueCell>& cells = skin_.truth();
     const auto columns = static_cast<Eigen::Index>(3 * (cells.size() - 1));
     std::vector<std::optional<Eigen::MatrixXd>> known(cells.size());
@@ -122,12 +123,8 @@ class Readings {
       for (const NeighborReport& report : linksOf(skin_, cells[cell].id)) {
         const std::size_t other = indexOf(skin_, report.cell);
         if (known[other]) continue;
-        const Eigen::Vector3d u = model.port(report.port).vector_m.normalized();
-        Eigen::Matrix3d axes;
-        axes << model.twist_sigma_rad * u, model.bend_sigma_rad * Eigen::Vector3d::UnitZ().cross(u),
-            model.yaw_sigma_rad * Eigen::Vector3d::UnitZ();
         Eigen::MatrixXd error = *known[cell];
-        error.middleCols<3>(3 * link++) += axes;
+        error.middleCols<3>(3 * link++) += linkAxes(model.port(report.port)) * sigmas_rad.asDiagonal();
         known[other] = cells[other].T_b_u.R.transpose() * cells[cell].T_b_u.R * error;
         order.push_back(other);
       }

@@ -9,6 +9,8 @@
 #include "hexoderm/sim/simulated_session.h"
 #include "hexoderm/solve/reconstructor.h"
 
+#include "tests/support/nearest_place.h"
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
@@ -46,39 +48,8 @@ Eigen::Vector3d normalVector(std::mt19937_64& random) {
   return {x, y, normal(random)};
 }
 
-/// The error of a place in its covariance, both in the patch's frame, which goes with it.
-double squaredDeviates(const PlacedPatch& placed, const SE3& T_l_o, const SE3& truth) {
-  Eigen::Matrix<double, 6, 6> into = Eigen::Matrix<double, 6, 6>::Identity();
-  into.topLeftCorner<3, 3>() = placed.place.T_l_o.R.transpose();
-  const Eigen::Matrix<double, 6, 6> C = into * *placed.place.cov_t_r * into.transpose();
-  Eigen::Matrix<double, 6, 1> e;
-  e << T_l_o.R.transpose() * (truth.t - T_l_o.t), logSO3(T_l_o.R.transpose() * truth.R);
-  return e.dot(C.ldlt().solve(e));
-}
-
-/// A candidate, or the place on the ways that it leaves open, where the truth deviates least.
-struct NearestPlace {
-  double squared_deviates = std::numeric_limits<double>::infinity();
-  const PlacedPatch* patch = nullptr;
-  SE3 T_l_o;
-};
-
-NearestPlace nearestPlace(const PlaceResult& result, const SE3& truth) {
-  NearestPlace nearest;
-  for (const PlaceCandidate& candidate : result.candidates) {
-    const PlacedPatch& patch = candidate.patches.front();
-    const auto look = [&](const SE3& T_l_o) {
-      const double squared = squaredDeviates(patch, T_l_o, truth);
-      if (squared < nearest.squared_deviates) nearest = {squared, &patch, T_l_o};
-    };
-    look(patch.place.T_l_o);
-    for (const FreeDirection& free : patch.free) std::ranges::for_each(free.way, look);
-  }
-  return nearest;
-}
-
 /// Rms distance of the cells from where they are, less what a motion along what is left open does.
-double errorAcross(const NearestPlace& nearest, const PatchToPlace& patch, const GroundTruth& truth) {
+double errorAcross(const test::NearestPlace& nearest, const PatchToPlace& patch, const GroundTruth& truth) {
   const auto rows = static_cast<Eigen::Index>(3 * patch.cells.size());
   Eigen::VectorXd error(rows);
   Eigen::MatrixXd open = Eigen::MatrixXd::Zero(rows, 6);
@@ -130,7 +101,7 @@ void runTrial(Tally& tally, const PlaceCase& what, std::size_t seed) {
   task.patches.front().rotation = KnownRotation{R, R.transpose() * sigma_l * sigma_l * R};
 
   const PlaceResult result = placePatches(task);
-  const NearestPlace nearest = nearestPlace(result, T_l_o);
+  const test::NearestPlace nearest = test::nearestPlace(result, T_l_o);
   const bool is_among = nearest.squared_deviates <= kMaxSquaredDeviates;
   tally.note("candidates", static_cast<double>(result.candidates.size()));
   tally.count("among", is_among);

@@ -4,6 +4,8 @@
 #include "hexoderm/base/units.h"
 #include "hexoderm/sim/simulated_session.h"
 
+#include "tests/support/nees.h"
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -132,25 +134,11 @@ std::optional<double> Tally::quantile(const std::string& name, double fraction) 
 }
 
 void noteNees(Tally& tally, const Reconstruction& result, const GroundTruth& truth) {
-  const PatchReconstruction& patch = *largestPatch(result);
-  const SE3 T_o_b = truePlacement(truth, patch.origin).inverse();
-  double position = 0;
-  double orientation = 0;
-  double count = 0;
-  for (const CellPlacement& cell : patch.cells) {
-    if (cell.cell == patch.origin || !cell.cov_t_r) continue;
-    const SE3 T_o_u = T_o_b * truePlacement(truth, cell.cell);
-    const Eigen::Vector3d e_t = T_o_u.t - cell.T_o_u.t;
-    const Eigen::Vector3d e_r = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
-    const Eigen::Matrix3d C_t = cell.cov_t_r->topLeftCorner<3, 3>();
-    const Eigen::Matrix3d C_r = cell.cov_t_r->bottomRightCorner<3, 3>();
-    position += e_t.dot(C_t.ldlt().solve(e_t)) / 3;
-    orientation += e_r.dot(C_r.ldlt().solve(e_r)) / 3;
-    ++count;
-  }
-  if (count == 0) return;
-  tally.note("position", position / count);
-  tally.note("orientation", orientation / count);
+  test::Nees nees;
+  nees.addPatch(*largestPatch(result), [&](CellId cell) { return truePlacement(truth, cell); });
+  if (nees.count == 0) return;
+  tally.note("position", nees.position);
+  tally.note("orientation", nees.orientation);
 }
 
 bool isAlarm(const Finding& finding) {

@@ -61,13 +61,6 @@ TEST(CellModel, OutlineRunsCounterClockwiseFromX) {
   EXPECT_NEAR(area, 1.5 * std::sqrt(3.0) * model.side_m * model.side_m, 1e-12);
 }
 
-TEST(CellModel, ForbiddenPairsHaveNoOrder) {
-  const CellModel model = ownModel();
-  EXPECT_TRUE(model.isForbidden(PortNumber(1), PortNumber(9)));
-  EXPECT_TRUE(model.isForbidden(PortNumber(9), PortNumber(1)));
-  EXPECT_FALSE(model.isForbidden(PortNumber(1), PortNumber(2)));
-}
-
 TEST(CellModelJson, ComesBackAsItWas) {
   const CellModel model = ownModel();
   const std::string text = cellModelToJson(model);
@@ -120,12 +113,6 @@ TEST(CellModelJson, TakesCalibratedScalesForCalibratedAxes) {
   EXPECT_EQ(sparseModel("0.2").accelerometer.cross_axis_sigma, 0.005);
 }
 
-TEST(CellModelJson, IsLoadedFromAFileOfTheUsersOwn) {
-  const test::TemporaryFolder folder;
-  const auto path = folder.put("own.json", cellModelToJson(ownModel()));
-  EXPECT_EQ(loadCellModel(path.string()).name, "own");
-}
-
 /// The complaint about the built-in model with one text replaced.
 std::string complaintWith(const std::string& from, const std::string& to) {
   return messageOf<FormatError>([&] { cellModelFromJson(replaced(cellModelToJson(hex()), from, to), "m.json"); });
@@ -158,8 +145,6 @@ TEST(CellModelJson, StatesTheErrorsOfItsChip) {
   EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"shared_offset_sigma_g\": 0.5, \"offset_sigma_g\": "),
               saysAll("m.json: accelerometer.shared_offset_sigma_g: expected at most",
                       "of which it is a part: 0.04, found 0.5"));
-  EXPECT_THAT(complaintWith("\"offset_sigma_g\": ", "\"offset_shared_sigma\": 0.01, \"offset_sigma_g\": "),
-              saysAll("m.json: accelerometer.offset_shared_sigma:", "mean offset_shared_sigma_g?"));
 }
 
 TEST(CellModelJson, OfOldHasTheLotsOffsetAsAPartOfTheWhole) {
@@ -184,20 +169,9 @@ TEST(CellModelJson, RefusesKeysThatItDoesNotKnowAndNamesWhatWasMeant) {
   EXPECT_THAT(complaintWith("\"side_m\"", "\"a\\u001b[31m\""), saysAll("m.json: a\\x1b[31m: there is no such key"));
 }
 
-TEST(NominalAlignment, TurnsTheTargetsPortOntoTheSources) {
-  const CellModel model = ownModel();
-  for (const Port& source : model.ports) {
-    for (const Port& target : model.ports) {
-      const Eigen::Matrix3d R = nominalAlignment(source, target);
-      EXPECT_NEAR((R * target.vector_m.normalized() + source.vector_m.normalized()).norm(), 0, 1e-15);
-      EXPECT_EQ(R.col(2), Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
-    }
-  }
-}
-
-/// Ports up, down and nearly upright, whose cells fold, form steps and lie one on the other.
+/// Level ports, and such as look up, down and nearly upright, whose cells fold, form steps and lie one on the other.
 std::vector<Port> portsWithHeight() {
-  std::vector<Port> ports = hex().ports;
+  std::vector<Port> ports = ownModel().ports;
   for (const Eigen::Vector3d& vector_m : {Eigen::Vector3d(0.012, 0.007, 0.004), Eigen::Vector3d(-0.012, -0.007, -0.004),
                                           Eigen::Vector3d(-0.003, 0.013, -0.011), Eigen::Vector3d(1e-8, -1e-8, 0.5)}) {
     ports.push_back({PortNumber(9), vector_m});
@@ -214,17 +188,22 @@ TEST(NominalAlignment, OfPortsWithHeightFoldsTheLinkUntilTheyFaceEachOther) {
       EXPECT_LT((axes_c.col(0) - source.vector_m.normalized()).norm(), 1e-15);
       EXPECT_EQ(axes_c(2, 1), 0) << "links fold about a line in the cell's plane";
       EXPECT_GT(axes_c(2, 2), 0);
+      // So a positive bend leans the neighbour's z away from the source, as around a convex body.
+      EXPECT_GT(axes_c.determinant(), 0);
       // Seen from the target, u and z x u point the other way.
       const Eigen::Matrix3d R = nominalAlignment(source, target);
       EXPECT_LT((R * axes_n - axes_c * Eigen::Vector3d(-1, -1, 1).asDiagonal()).norm(), 1e-14);
       EXPECT_LT((nominalAlignment(target, source) - R.transpose()).norm(), 1e-14);
+      if (source.vector_m.z() != 0 || target.vector_m.z() != 0) continue;
+      EXPECT_NEAR((R * target.vector_m.normalized() + source.vector_m.normalized()).norm(), 0, 1e-15);
+      EXPECT_EQ(R.col(2), Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
     }
   }
 }
 
 TEST(NominalAlignment, OfPortsOfOppositeHeightIsAStep) {
   const std::vector<Port> ports = portsWithHeight();
-  EXPECT_LT((nominalAlignment(ports[4], ports[5]) - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+  EXPECT_LT((nominalAlignment(ports[5], ports[6]) - Eigen::Matrix3d::Identity()).norm(), 1e-15);
 }
 
 TEST(LinkAngles, AreTheSameFromBothEndsButForTheSenseOfYaw) {
@@ -237,25 +216,6 @@ TEST(LinkAngles, AreTheSameFromBothEndsButForTheSenseOfYaw) {
       EXPECT_LT((Eigen::Vector3d(there.twist_rad, there.bend_rad, there.yaw_rad) - expected).norm(), 1e-13);
       EXPECT_LT((Eigen::Vector3d(back.twist_rad, back.bend_rad, -back.yaw_rad) - expected).norm(), 1e-13);
     }
-  }
-}
-
-TEST(LinkAngles, SeparateTheThreeAxesOfALinkAndBendPositivelyAroundAConvexBody) {
-  const CellModel model = hex();
-  const Port& source = model.port(PortNumber(2));
-  const Port& target = model.port(PortNumber(3));
-  const Eigen::Vector3d u = source.vector_m.normalized();
-  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
-  for (const LinkAngles& expected : {LinkAngles{0, 0, 0}, LinkAngles{0, 0.3, 0}, LinkAngles{0.1, 0.4, -0.2}}) {
-    const Eigen::Vector3d w = expected.twist_rad * u + expected.bend_rad * z.cross(u) + expected.yaw_rad * z;
-    const Eigen::Matrix3d R_c_n = expSO3(w) * nominalAlignment(source, target);
-    // Rolled over the outside of a cylinder, the neighbour's z leans towards it, away from the source.
-    EXPECT_EQ(R_c_n.col(2).dot(u) > 0, expected.bend_rad > 0);
-    const LinkAngles angles = linkAngles(R_c_n, source, target);
-    const double tolerance = w.isZero() ? 1e-15 : 1e-12;
-    EXPECT_NEAR(angles.twist_rad, expected.twist_rad, tolerance);
-    EXPECT_NEAR(angles.bend_rad, expected.bend_rad, tolerance);
-    EXPECT_NEAR(angles.yaw_rad, expected.yaw_rad, tolerance);
   }
 }
 

@@ -73,12 +73,6 @@ TEST(SkinGraph, OneSidedLinkIsMutedAndNamesCellsAndPorts) {
   EXPECT_THAT(graph.patches(), SizeIs(2));
 }
 
-TEST(SkinGraph, OneSidedLinkWithoutPortIsNamed) {
-  const SkinGraph graph(model(), {cell(1, {to(1, 2)}), cell(2, {})});
-  EXPECT_THAT(codes(graph), ElementsAre(FindingCode::OneSidedLink));
-  EXPECT_THAT(graph.links(), IsEmpty());
-}
-
 TEST(SkinGraph, ContradictoryPortsMuteBothReports) {
   // 1 says its port 1 meets port 4 of 2; 2 says its port 4 meets port 2 of 1.
   const SkinGraph graph(model(), {cell(1, {to(1, 2, 4)}), cell(2, {to(4, 1, 2)})});
@@ -110,26 +104,22 @@ TEST(SkinGraph, InterfacesAreNoCells) {
   EXPECT_EQ(graph.findings()[0].severity, Severity::Info);
 }
 
-TEST(SkinGraph, DuplicateCellCountsOnce) {
-  NeighborList neighbors = line();
-  neighbors.push_back(cell(2, {to(2, 3, 3)}));
-  const SkinGraph graph(model(), neighbors);
-  EXPECT_THAT(codes(graph), ElementsAre(FindingCode::DuplicateCell));
-  EXPECT_EQ(usedLinks(graph), 2);
-}
-
-TEST(SkinGraph, AReportGivenTwiceCountsOnce) {
-  NeighborList neighbors = line();
-  neighbors[0].neighbors.push_back(neighbors[0].neighbors.front());
-  const SkinGraph graph(model(), neighbors);
-  EXPECT_THAT(codes(graph), ElementsAre(FindingCode::DuplicateLink));
-  EXPECT_EQ(usedLinks(graph), 2);
-}
-
-TEST(SkinGraph, TwoHexagonsAreNotJoinedTwice) {
-  const SkinGraph graph(model(), {cell(1, {to(1, 2, 4), to(2, 2, 3)}), cell(2, {to(4, 1, 1), to(3, 1, 2)})});
-  EXPECT_THAT(codes(graph), ElementsAre(FindingCode::DuplicateLink));
-  EXPECT_EQ(usedLinks(graph), 0);
+TEST(SkinGraph, WhatIsReportedTwiceOrByOneSideIsNamedOnce) {
+  NeighborList cell_twice = line();
+  cell_twice.push_back(cell(2, {to(2, 3, 3)}));
+  NeighborList report_twice = line();
+  report_twice[0].neighbors.push_back(report_twice[0].neighbors.front());
+  const NeighborList joined_twice = {cell(1, {to(1, 2, 4), to(2, 2, 3)}), cell(2, {to(4, 1, 1), to(3, 1, 2)})};
+  const NeighborList without_port = {cell(1, {to(1, 2)}), cell(2, {})};
+  for (const auto& [neighbors, code, used] : {std::tuple(cell_twice, FindingCode::DuplicateCell, 2U),
+                                              std::tuple(report_twice, FindingCode::DuplicateLink, 2U),
+                                              std::tuple(joined_twice, FindingCode::DuplicateLink, 0U),
+                                              std::tuple(without_port, FindingCode::OneSidedLink, 0U)}) {
+    const SkinGraph graph(model(), neighbors);
+    EXPECT_THAT(codes(graph), ElementsAre(code));
+    EXPECT_EQ(usedLinks(graph), used);
+  }
+  EXPECT_THAT(SkinGraph(model(), without_port).links(), IsEmpty());
 }
 
 TEST(SkinGraph, ForbiddenPortPairsAreMuted) {

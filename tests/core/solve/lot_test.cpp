@@ -5,6 +5,7 @@
 #include "hexoderm/solve/checks/evaluation.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/matchers.h"
+#include "tests/support/nees.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
@@ -29,40 +30,24 @@ CellModel chips(double own_g, double shared_g, double shared_scale) {
 
 struct Outcome {
   std::vector<double> errors_rad;  ///< rms over the cells, per skin
-  double squares = 0;              ///< of orientation errors in units of the stated sigma, mean of three axes
-  double squares_of_places = 0;    ///< the same of positions
-  double cells = 0;
+  test::Nees nees;
   std::size_t accused = 0;
   [[nodiscard]] double typicalError_deg() const { return toDegrees(median(errors_rad)); }
-  [[nodiscard]] double normalisedSquare() const { return squares / cells; }
-  [[nodiscard]] double normalisedSquareOfPlaces() const { return squares_of_places / cells; }
 };
 
 /// Skins of chips of `real`, estimated by `believed`.
 Outcome calibrate(const CellModel& real, const CellModel& believed, const std::string& patch, std::size_t poses,
                   Solver solver = Solver::Global) {
   Outcome outcome;
-  SolverOptions options;
-  options.solver = solver;
   for (std::uint64_t seed = 1; seed <= kLots; ++seed) {
     SimulatedSkin skin(real, test::skinOptions(patch, "", seed));
     Session session = simulateSession(skin, poses);
     session.setSkin(believed, session.neighbors());
-    const auto result = reconstruct(*session.snapshot(), options);
+    const auto result = reconstruct(*session.snapshot(), test::by(solver));
     outcome.errors_rad.push_back(compareToTruth(*result, *session.truth()).at(0).orientation_rms_rad);
     outcome.accused += static_cast<std::size_t>(std::ranges::count_if(
         result->findings, [](const Finding& finding) { return finding.severity != Severity::Info; }));
-    const PatchReconstruction& of = result->patches.front();
-    for (const CellPlacement& cell : of.cells) {
-      if (cell.cell == of.origin) continue;
-      const SE3 T_o_u = test::truePlacement(skin, of.origin).inverse() * test::truePlacement(skin, cell.cell);
-      const Eigen::Vector3d error = logSO3(cell.T_o_u.R.transpose() * T_o_u.R);
-      const Eigen::Matrix3d covariance = cell.cov_t_r->bottomRightCorner<3, 3>();
-      outcome.squares += error.dot(covariance.ldlt().solve(error)) / 3;
-      const Eigen::Vector3d shift_m = cell.T_o_u.t - T_o_u.t;
-      outcome.squares_of_places += shift_m.dot(cell.cov_t_r->topLeftCorner<3, 3>().ldlt().solve(shift_m)) / 3;
-      ++outcome.cells;
-    }
+    outcome.nees.addPatch(result->patches.front(), [&](CellId cell) { return test::truePlacement(skin, cell); });
   }
   return outcome;
 }
@@ -84,8 +69,8 @@ TEST(Lot, AccusesNoHealthyCellAndStatesWhatItKnows) {
         const Outcome outcome = calibrate(model, model, patch, poses);
         const std::string what = patch + (", scale " + std::to_string(scale)) + ", poses " + std::to_string(poses);
         EXPECT_EQ(outcome.accused, 0U) << what;
-        EXPECT_GT(outcome.normalisedSquare(), 0.6) << what;
-        EXPECT_LT(outcome.normalisedSquare(), 1.6) << what;
+        EXPECT_GT(outcome.nees.orientation, 0.6) << what;
+        EXPECT_LT(outcome.nees.orientation, 1.6) << what;
       }
     }
   }
@@ -99,11 +84,11 @@ TEST(Lot, OfChipsThatSitAskewIsKnownNoBetterThanTheirCells) {
   for (const char* patch : {"x17", "ring8:closed", "sheet:4x4"}) {
     const Outcome outcome = calibrate(model, model, patch, 6);
     EXPECT_EQ(outcome.accused, 0U) << patch;
-    for (const double square : {outcome.normalisedSquare(), outcome.normalisedSquareOfPlaces()}) {
+    for (const double square : {outcome.nees.orientation, outcome.nees.position}) {
       EXPECT_GT(square, 0.6) << patch;
       EXPECT_LT(square, 1.5) << patch;
     }
-    EXPECT_GT(calibrate(model, straight, patch, 6).normalisedSquare(), 5) << patch;
+    EXPECT_GT(calibrate(model, straight, patch, 6).nees.orientation, 5) << patch;
   }
 }
 
@@ -168,7 +153,8 @@ TEST(Lot, OfTheTreeIsCountedInItsLinks) {
   const CellModel model = chips(0.015, 0.05, 0.1);
   const Outcome outcome = calibrate(model, model, "x17", 3, Solver::Tree);
   EXPECT_EQ(outcome.accused, 0U);
-  EXPECT_LT(outcome.normalisedSquare(), 2);
+  EXPECT_GT(outcome.nees.count, 0);
+  EXPECT_LT(outcome.nees.orientation, 2);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // priors.
 
 #include "hexoderm/solve/reconstructor.h"
+#include "tests/support/nees.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/solvers.h"
@@ -15,23 +16,7 @@ namespace hexoderm {
 namespace {
 
 using test::kSlowBuild;
-
-/// Mean over cells.
-struct Nees {
-  double position = 0;
-  double orientation = 0;
-  double count = 0;
-  /// e^T C^-1 e / 3 of the error from one placement to another.
-  void add(const SE3& T, const SE3& other, const Matrix6d& C) {
-    const Eigen::Vector3d e_t = other.t - T.t;
-    const Eigen::Vector3d e_r = logSO3(T.R.transpose() * other.R);
-    const Eigen::Matrix3d C_t = C.topLeftCorner<3, 3>();
-    const Eigen::Matrix3d C_r = C.bottomRightCorner<3, 3>();
-    ++count;
-    position += (e_t.dot(C_t.ldlt().solve(e_t)) / 3 - position) / count;
-    orientation += (e_r.dot(C_r.ldlt().solve(e_r)) / 3 - orientation) / count;
-  }
-};
+using test::Nees;
 
 struct Limits {
   double least = 0;
@@ -59,11 +44,7 @@ Nees neesOf(SimulatedSkinOptions options, std::uint64_t seeds, std::size_t poses
     SimulatedSkin skin = test::simulatedSkin(options);
     const auto result = reconstruct(*simulateSession(skin, poses, readings).snapshot(), solver);
     for (const PatchReconstruction& patch : result->patches) {
-      const SE3 T_o_b = test::truePlacement(skin, patch.origin).inverse();
-      for (const CellPlacement& cell : patch.cells) {
-        if (cell.cell == patch.origin) continue;
-        nees.add(cell.T_o_u, T_o_b * test::truePlacement(skin, cell.cell), *cell.cov_t_r);
-      }
+      nees.addPatch(patch, [&](CellId cell) { return test::truePlacement(skin, cell); });
     }
   }
   return nees;

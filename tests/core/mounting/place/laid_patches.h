@@ -98,24 +98,4 @@ inline double cellError(const SE3& T_l_o, const LaidPatch& laid) {
   return std::sqrt(sum / static_cast<double>(laid.T_l_u.size()));
 }
 
-/// The square of the place's error over its covariance, and where it is least on the ways along which a candidate is
-/// free.
-inline double squaredDeviates(const PlacedPatch& placed, const SE3& truth) {
-  const auto of = [&](const SE3& T_l_o) {
-    // In the patch's frame, which goes with it along the way.
-    Eigen::Matrix<double, 6, 6> C = *placed.place.cov_t_r;
-    Eigen::Matrix<double, 6, 6> into = Eigen::Matrix<double, 6, 6>::Identity();
-    into.topLeftCorner<3, 3>() = placed.place.T_l_o.R.transpose();
-    C = into * C * into.transpose();
-    Eigen::Matrix<double, 6, 1> e;
-    e << T_l_o.R.transpose() * (truth.t - T_l_o.t), logSO3(T_l_o.R.transpose() * truth.R);
-    return e.dot(C.ldlt().solve(e));
-  };
-  double least = of(placed.place.T_l_o);
-  for (const FreeDirection& free : placed.free) {
-    for (const SE3& T_l_o : free.way) least = std::min(least, of(T_l_o));
-  }
-  return least;
-}
-
 }  // namespace hexoderm

@@ -1,6 +1,7 @@
 #include "hexoderm/mounting/place/place.h"
 
 #include "tests/core/mounting/place/laid_patches.h"
+#include "tests/support/nearest_place.h"
 #include "tests/support/options.h"
 #include "tests/support/slow_build.h"
 
@@ -32,11 +33,8 @@ TEST(Place, WithErrorsTheTruePlaceIsAmongTheCandidates) {
       const LaidPatch laid = layPatch(mesh, link == "forearm" ? kOnForearm : kOnUpperArm,
                                       static_cast<std::uint64_t>(seed), {0.0007, 0.7 * kDegree, 1 * kDegree});
       const PlaceResult result = placePatches(surfaceTask(mesh, laid));
-      double least = std::numeric_limits<double>::infinity();
-      for (const PlaceCandidate& candidate : result.candidates) {
-        least = std::min(least, squaredDeviates(candidate.patches[0], laid.T_l_o));
-      }
-      among += least < 22.46 ? 1 : 0;  // 99.9 % of chi-squared with six degrees of freedom
+      // 99.9 % of chi-squared with six degrees of freedom.
+      among += test::nearestPlace(result, laid.T_l_o).squared_deviates < 22.46 ? 1 : 0;
     }
     EXPECT_EQ(among, kPlaceSeeds) << link;
   }

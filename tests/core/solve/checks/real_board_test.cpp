@@ -46,8 +46,7 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
     double found = 0;   ///< of one turned cell a pair
     double allowed = 0;
   };
-  Count checkAll(std::size_t calibrated_by, std::size_t checked_by, double turn_rad) {
-    Count count;
+  void checkAll(std::size_t calibrated_by, std::size_t checked_by, double turn_rad, Count& count) {
     for (std::size_t draw = 0; draw < (calibrated_by == kHolds ? 1 : kDraws); ++draw) {
       for (std::size_t then = 0; then < kDays; ++then) {
         const auto calibration = reconstruct(*onlyPosesOf(days_[then], holds(calibrated_by)).snapshot());
@@ -56,7 +55,6 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
         }
       }
     }
-    return count;
   }
 
   /// Attitudes against the chips' own axes, all subsets and cells together.
@@ -146,13 +144,7 @@ TEST_P(RealBoard, IsAsCalibratedOnAnotherDayAndATurnedCellIsFoundAsOftenAsTheInf
     for (const double turn_deg : {0.0, 3.0, 6.0}) {
       Count sum;
       for (const std::size_t calibrated_by : {3U, 4U, 6U, 8U, 20U}) {
-        const Count count = checkAll(calibrated_by, checked_by, turn_deg * kDegree);
-        sum.pairs += count.pairs;
-        sum.changed += count.changed;
-        sum.cells += count.cells;
-        sum.blamed += count.blamed;
-        sum.found += count.found;
-        sum.allowed += count.allowed;
+        checkAll(calibrated_by, checked_by, turn_deg * kDegree, sum);
       }
       std::cout << GetParam() << ", checked by " << checked_by << ", turned by " << turn_deg << " deg: of " << sum.pairs
                 << " pairs not as calibrated " << sum.changed << ", found " << sum.found << " (allowed " << sum.allowed

@@ -1,4 +1,4 @@
-// Both solvers must find one optimum.
+// Both solvers must find one optimum: of chips that share nothing, as the oracle has them.
 
 #include "hexoderm/solve/global/global_solver.h"
 #include "tests/core/solve/global/ceres_oracle.h"

@@ -22,14 +22,6 @@ inline const char* nameOf(const GapShare& gap) {
   return gap.mean == 0 ? "pivot" : "arc";
 }
 
-/// Chips that share an offset and a scale.
-inline CellModel modelOfALot() {
-  CellModel model = builtInCellModel("hex-bma150");
-  model.accelerometer.offset_shared_sigma_g = 0.05;
-  model.accelerometer.scale_shared_sigma = 0.1;
-  return model;
-}
-
 struct GlobalCase {
   explicit GlobalCase(CellModel cell_model) : model(std::make_shared<const CellModel>(std::move(cell_model))) {
     problem.model = model.get();

@@ -45,7 +45,6 @@ class Sheet {
  public:
   explicit Sheet(std::size_t poses, SolverOptions options = {}) : options_(std::move(options)) {
     CellModel model = builtInCellModel("hex-bma150");
-    model.accelerometer.offset_shared_sigma_g = 0.03;
     model.ports.front().vector_m.z() = -0.004;
     SimulatedSkin skin(std::move(model), test::skinOptions("sheet:9x10", "cylinder:r=0.1", 5));
     snapshot_ = simulateSession(skin, poses, 20).snapshot();
