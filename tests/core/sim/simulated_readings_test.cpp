@@ -4,6 +4,7 @@
 #include "hexoderm/device/pose_capture.h"
 #include "hexoderm/sim/simulated_skin.h"
 #include "tests/core/sim/standard_skin.h"
+#include "tests/support/independent_chips.h"
 #include "tests/support/options.h"
 #include "tests/support/sample_matchers.h"
 #include "tests/support/testing.h"
@@ -63,7 +64,8 @@ TEST(SimulatedReadings, OfAStandingPartAreGainTimesUpInTheCellFramePlusOffset) {
         for (std::size_t k = 0; k < frame.samples.size(); ++k) {
           const TrueCell& cell = skin.truth().at(k);
           EXPECT_EQ(frame.samples[k].cell, cell.id);
-          const Eigen::Vector3d expected = cell.gain * (cell.T_b_u.R.transpose() * up) + cell.offset_g;
+          const Eigen::Matrix3d R_a_b = (cell.T_b_u.R * cell.R_u_askew).transpose();
+          const Eigen::Vector3d expected = cell.gain * (R_a_b * up) + cell.offset_g;
           EXPECT_LT((frame.samples[k].acceleration_g - expected).norm(), 1e-14);
         }
       }
@@ -72,7 +74,8 @@ TEST(SimulatedReadings, OfAStandingPartAreGainTimesUpInTheCellFramePlusOffset) {
 }
 
 TEST(SimulatedReadings, SensorErrorsHaveTheModelsSpread) {
-  const SimulatedSkin skin(kModel, test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::patch, "sheet:50x40"));
+  const SimulatedSkin skin(independentChips(),
+                           test::with(SimulatedSkinOptions(), &SimulatedSkinOptions::patch, "sheet:50x40"));
   double offset = 0;
   double scale = 0;
   double cross = 0;

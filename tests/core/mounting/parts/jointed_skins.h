@@ -136,7 +136,8 @@ class JointedSkins {
         const PatchOnBody& patch = patches_[k];
         const SE3 T_0_b = patch.body == 0 ? patch.T_body_b : T_0_1 * patch.T_body_b;
         for (const TrueCell& cell : patch.skin.truth()) {
-          const SE3 T_0_a = T_0_b * cell.T_b_u * accelerometer.T_u_a;
+          const SE3 T_b_chip{cell.T_b_u.R * cell.R_u_askew, cell.T_b_u.t};
+          const SE3 T_0_a = T_0_b * T_b_chip * accelerometer.T_u_a;
           const Eigen::Vector3d force_0 = body.up_b + body.field_b * (T_0_a.t - hand_0);
           Eigen::Vector3d reading = cell.gain * (T_0_a.R.transpose() * force_0) + cell.offset_g;
           for (int axis = 0; axis < 3; ++axis) {
