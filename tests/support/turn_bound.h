@@ -9,8 +9,8 @@
 namespace hexoderm::test {
 
 /// With which probability the best test finds a cell that turned by `turn_o` (patch frame), if it is asked about this
-/// cell alone, does not know the axis, and names unchanged ones as rarely as `check` does: what the readings say about a
-/// turn is normal about it with the inverse of the information. One pose shows two of its angles, several show three.
+/// cell alone, does not know the axis, and names unchanged ones as rarely as `check` does: what the readings say about
+/// a turn is normal about it with the inverse of the information. One pose shows two of its angles, several show three.
 inline double turnFoundByBestTest(const CalibrationCheck& check, const CheckedCell& cell,
                                   const Eigen::Vector3d& turn_o) {
   const double angles = check.poses.size() > 1 ? 3 : 2;

@@ -53,10 +53,10 @@ struct SimulatedSkinOptions : SkinChoice {
   double tremor_angle_sigma_rad = 0.05 * kDegree;  ///< 4 to 12 Hz
   double tremor_acceleration_g = 0.010;            ///< translational, rms, 4 to 12 Hz
   double drift_rad_per_s = 0.5 * kDegree;
-  double reading_rate_hz = 0;             ///< readings a second and cell; 0: the cell model's rate
-  double least_vibration_g = 0.008;       ///< on a robot: rms of an axis, drawn per cell and axis from this ...
-  double most_vibration_g = 0.035;        ///< ... to this
-  std::size_t reglued_before = 2;         ///< recordings before the one that Reglued cells turn in front of
+  double reading_rate_hz = 0;        ///< readings a second and cell; 0: the cell model's rate
+  double least_vibration_g = 0.008;  ///< on a robot: rms of an axis, drawn per cell and axis from this ...
+  double most_vibration_g = 0.035;   ///< ... to this
+  std::size_t reglued_before = 2;    ///< recordings before the one that Reglued cells turn in front of
   /// Recordings of a first session, if offsets drift: by the cell model's sigmas from one recording to the next, and
   /// between this session and a second one. Absent: they stay what they are.
   std::optional<std::size_t> drifts_after{};

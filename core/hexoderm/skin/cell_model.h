@@ -39,7 +39,7 @@ struct Accelerometer {
   /// The same from one pose to another of one session (bias instability), while the chips warm up.
   double offset_instability_sigma_g = 0.0005;
   double offset_instability_shared_sigma_g = 0.0025;
-  SE3 T_u_a;                         ///< placement of the accelerometer in the cell frame
+  SE3 T_u_a;  ///< placement of the accelerometer in the cell frame
 
   /// The lot has errors of its own.
   [[nodiscard]] bool sharesErrors() const { return offset_shared_sigma_g > 0 || scale_shared_sigma > 0; }

@@ -52,8 +52,8 @@ struct HoldOutLink {
 /// poses comes out here as a motion again, which is fitted away. The sensor's own noise is what a sample of a cell
 /// scatters by in the stillest poses of the session, over the square root of the samples averaged: windows of any
 /// length weigh by their information. Where every pose trembles, up to half as much again is expected as is seen.
-/// Offsets change from pose to pose as the cell model says: a sensor's own instability counts with its noise, and what all
-/// offsets changed by together in the pose, in the sensors' axes, is a third vector that the others foretell.
+/// Offsets change from pose to pose as the cell model says: a sensor's own instability counts with its noise, and what
+/// all offsets changed by together in the pose, in the sensors' axes, is a third vector that the others foretell.
 ///
 /// With three other poses offsets and gains are known from their priors mostly: the expected error of uncalibrated
 /// sensors is then above a degree, and the check is coarse (detectable_rad). From five on it is about 0.2 degrees.

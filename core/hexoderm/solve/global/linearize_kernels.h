@@ -14,7 +14,7 @@ struct LinearizeSetting {
   double threshold_squared;      ///< of the Huber losses; may be infinite
   std::size_t poses;
   bool accelerations;
-  bool lot;                      ///< the lot's errors are unknowns
+  bool lot;  ///< the lot's errors are unknowns
   double lot_scale;
   const double* force_o;         ///< three per pose
   const double* acceleration_o;  ///< three per pose, divided by standard gravity

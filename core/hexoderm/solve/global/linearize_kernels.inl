@@ -331,7 +331,8 @@ unsigned cellsWith(const LinearizeSetting& setting, const CellLanes& cells) {
       Lanes to_cell[6] = {};
       for (int axis = 0; axis < 3; ++axis) {
         slope -= moves[l].weighted[axis][0] * offset.x[axis];
-        for (int j = 0; j < 3; ++j) slope -= moves[l].weighted[axis][j + 1] * (gain.m[axis][j] - (axis == j ? scale : 0.0));
+        for (int j = 0; j < 3; ++j)
+          slope -= moves[l].weighted[axis][j + 1] * (gain.m[axis][j] - (axis == j ? scale : 0.0));
         for (int i = 0; i < 4; ++i) {
           for (int j = 0; j < 6; ++j) to_cell[j] -= moves[l].explained[axis][i] * mixed[axis][i][j];
         }

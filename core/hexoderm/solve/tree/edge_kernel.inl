@@ -343,8 +343,8 @@ HEXODERM_INLINE void estimate(const EdgeKernelOptions& options, const EdgeKernel
   Lanes expected = zero;
   Lanes weights = zero;
   const Lanes offset = (one - centred) * all(options.offset_variance_g2);
-  const Lanes shared = (one - centred) * all(options.shared_offset_variance_g2) *
-                       (all(2.0) - all(2.0 / 3.0) * (R[0] + R[4] + R[8]));
+  const Lanes shared =
+      (one - centred) * all(options.shared_offset_variance_g2) * (all(2.0) - all(2.0 / 3.0) * (R[0] + R[4] + R[8]));
   const Lanes sensors = all(2.0) * (offset + all(options.scale_variance + options.cross_axis_variance)) + shared;
   for (int p = 0; p < in.poses; ++p) {
     Lanes c[3];
