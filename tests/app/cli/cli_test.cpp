@@ -55,7 +55,7 @@ TEST_F(Cli, WhatChipsOfALotShareIsStated) {
 }
 
 TEST_F(Cli, SensorsOfASessionBecomeACellModelForTheNext) {
-  EXPECT_EQ(run("simulate --poses 6 --seed 4 --offset-sigma 20 -o arm.session.json").exit_code, 0);
+  EXPECT_EQ(run("simulate --poses 6 --seed 4 --offset-sigma 20 --lot 0,0 -o arm.session.json").exit_code, 0);
   EXPECT_THAT(outputOf("sensors arm.session.json -o chip.json"),
               AllOf(HasSubstr("17 of 17 accelerometers"), HasSubstr("offset        "), HasSubstr("cross-axis"),
                     HasSubstr("Cell model written to chip.json")));

@@ -10,6 +10,7 @@
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/changed_session.h"
 #include "tests/support/matchers.h"
+#include "tests/support/nees.h"
 #include "tests/support/paths.h"
 #include "tests/support/slow_build.h"
 #include "tests/support/testing.h"
@@ -59,10 +60,8 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
 
   /// Attitudes against the chips' own axes, all subsets and cells together.
   struct Attitudes {
+    test::Nees nees;
     double squared_rad2 = 0;
-    double stated_rad2 = 0;
-    double normalised = 0;
-    double cells = 0;
     std::size_t accused = 0;
   };
   Attitudes solveAll(const CellModel& believed, std::size_t poses) {
@@ -76,15 +75,10 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
           sum.accused += finding.severity != Severity::Info && !finding.cells.empty() ? 1 : 0;
         }
         const PatchReconstruction& patch = result->patches.front();
+        sum.nees.addPatch(patch, [this](CellId cell) { return chipAxes(cell); });
         for (const CellPlacement& cell : patch.cells) {
-          if (cell.cell == patch.origin) continue;
-          const Eigen::Matrix3d R_o_u = axesOf(patch.origin).transpose() * axesOf(cell.cell);
-          const Eigen::Vector3d error = logSO3(cell.T_o_u.R.transpose() * R_o_u);
-          const Eigen::Matrix3d covariance = cell.cov_t_r->bottomRightCorner<3, 3>();
-          sum.squared_rad2 += error.squaredNorm();
-          sum.stated_rad2 += covariance.trace();
-          sum.normalised += error.dot(covariance.ldlt().solve(error)) / 3;
-          ++sum.cells;
+          const Eigen::Matrix3d R_o_u = chipAxes(patch.origin).R.transpose() * chipAxes(cell.cell).R;
+          sum.squared_rad2 += logSO3(cell.T_o_u.R.transpose() * R_o_u).squaredNorm();
         }
       }
     }
@@ -93,9 +87,10 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
   [[nodiscard]] const CellModel& model() const { return days_.front().model(); }
 
  private:
-  [[nodiscard]] Eigen::Matrix3d axesOf(CellId cell) const {
+  /// Attitudes alone are known.
+  [[nodiscard]] SE3 chipAxes(CellId cell) const {
     const auto numbers = chip_axes_.at(toString(cell)).get<std::vector<double>>();
-    return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data());
+    return {Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers.data()), Eigen::Vector3d::Zero()};
   }
 
   std::vector<std::size_t> holds(std::size_t count) {
@@ -177,14 +172,11 @@ TEST_P(RealBoard, ErrsByLessThanStatedAgainstTheChipsOwnAxes) {
       if (knows_lot && !is_ring) continue;
       const Attitudes found = solveAll(knows_lot ? of_lot : own, poses);
       std::cout << GetParam() << (knows_lot ? ", model of the lot, " : ", the board's model, ") << poses
-                << " poses: error " << toDegrees(std::sqrt(found.squared_rad2 / found.cells)) << " deg, stated "
-                << toDegrees(std::sqrt(found.stated_rad2 / found.cells)) << " deg, normalised square "
-                << found.normalised / found.cells << ", accused " << found.accused << "\n";
+                << " poses: error " << toDegrees(std::sqrt(found.squared_rad2 / found.nees.count))
+                << " deg, normalised square " << found.nees.orientation << "\n";
       EXPECT_EQ(found.accused, 0U) << poses;
-      EXPECT_LT(found.squared_rad2, found.stated_rad2) << poses;
-      if (knows_lot && poses <= 3) {
-        EXPECT_GT(found.normalised, 0.1 * found.cells) << poses;
-      }
+      EXPECT_LT(found.nees.orientation, 1) << poses;
+      EXPECT_TRUE(!knows_lot || poses > 3 || found.nees.orientation > 0.1) << poses;
     }
   }
 }
