@@ -87,7 +87,7 @@ void bindSimulate(py::module_& module) {
       "samples: averaged in a pose.\n"
       "link_law: how the mould lets neighbours lie: bend, only the gap between two rigid cells bends, as an arc\n"
       "that keeps its length; surface, neighbouring centres keep their distance along the surface.\n"
-      "offset_sigma_g: of the accelerometers; the cell model's without it.\n"
+      "offset_sigma_g: of each accelerometer, beside its lot's; the cell model's without it.\n"
       "motion: what turns the part, hand or robot. ideal: no errors, no noise, no hand.\n"
       "faults: KIND:CELL, KIND:CELL:PORT or KIND, as hexoderm-cli simulate --help lists them.");
   explainMisfits(module, "simulate");

@@ -119,7 +119,7 @@ void CellModel::validate() const {
   notNegative(accelerometer.offset_instability_shared_sigma_g, "accelerometer.offset_instability_shared_sigma_g");
   placed(accelerometer.T_u_a, "accelerometer.");
   for (const CellSensor& sensor : sensors) placed(sensor.T_u_s, "sensor " + sensor.name + ": ");
-  notNegative(mounting_sigma_rad, "mounting_sigma_rad");
+  notNegative(mounting_sigma_rad, "mounting_sigma_rad", kPi);
   require(std::abs(side_angle_rad) <= kMax, message("side_angle_rad must be within {}", Number{kMax}));
   positive(link_sigma_m, "link_sigma_m");
   positive(bend_sigma_rad, "bend_sigma_rad");

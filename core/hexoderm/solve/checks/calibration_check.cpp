@@ -287,7 +287,8 @@ class CalibrationChecker {
       return;
     }
     for (std::size_t k = 0; k < views.size(); ++k) check_.cells.push_back(judge(views[k], consensus.compare(k)));
-    if (const auto drift = consensus.commonDrift()) {
+    // What the calibration does not know of its lot looks like a drift.
+    if (const auto drift = consensus.commonDrift(); drift && drift->offset_g.norm() > 3 * unknownOfLot_g(patch)) {
       check_.remarks.push_back(message("The offsets of all sensors drifted together by {} +- {}; that is no change.",
                                        MilliG{drift->offset_g.norm()}, MilliG{drift->sigma_g}));
     }

@@ -140,10 +140,14 @@ Eigen::Matrix3d elastomerInformation(const CellModel& model, std::span<const Por
 }
 
 AccelerometerPrior priorOfChips(const CellModel& model, const PatchReconstruction& patch) {
-  return AccelerometerPrior(patch.lot ? model.accelerometer : model.accelerometer.ofUnknownLot());
+  if (!patch.lot) return AccelerometerPrior(model.accelerometer.ofUnknownLot());
+  return AccelerometerPrior(SensorLot{patch.lot->offset_g, patch.lot->scale}.chips(model.accelerometer));
 }
 
-double unknownOfLot_g(const PatchReconstruction& patch) { return patch.lot ? patch.lot->offset_sigma_g.maxCoeff() : 0; }
+double unknownOfLot_g(const PatchReconstruction& patch) {
+  constexpr double kMost_g = 1;  // of a file
+  return patch.lot ? std::min(kMost_g, patch.lot->offset_sigma_g.maxCoeff()) : 0;
+}
 
 CellErrors priorInformation(const AccelerometerPrior& sensor, const Eigen::Matrix3d& attitude) {
   CellErrors information = CellErrors::Zero();
@@ -218,6 +222,7 @@ double ViewComparison::deviate() const {
   const Eigen::Matrix3d covariance =
       (shown + Eigen::Matrix3d::Identity() / (kTurnPrior_rad * kTurnPrior_rad)).inverse();
   const Misfit by_turn{pull.dot(covariance * pull), (covariance * shown).trace()};
+  if (by_turn.degrees < 1) return misfit.deviate();  // no pose shows a turn
   return std::max(misfit.deviate(), by_turn.deviate());
 }
 

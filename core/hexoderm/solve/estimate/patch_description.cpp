@@ -178,7 +178,7 @@ PatchReconstruction describePatch(const SkinLinks& skin, const PatchSolver& patc
     if (joint->problem().estimatesLot()) {
       const SensorLot& lot = joint->lot();
       const Eigen::Vector4d sigmas = solution.covariance->lotSigmas();
-      result.lot = LotEstimate{lot.offset_g, sigmas.head<3>(), lot.scale, sigmas[3]};
+      result.lot = LotEstimate{lot.offset_g, sigmas.head<3>(), lot.scale, sigmas[3] / lot.scale};
     }
     result.covariance = joint->placementCovariance(skin.graph());
     result.gravity_covariance = joint->gravityCovariance();

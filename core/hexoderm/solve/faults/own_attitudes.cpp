@@ -218,9 +218,9 @@ class OwnAttitudeBatches {
   std::vector<double> R_;
 };
 
-/// A lot whose scale makes 1 g of what the cells read in the mean, where the cell model says that it may be another.
+/// A lot whose scale makes 1 g of what the cells read in the mean, as far as the cell model allows.
 SensorLot lotByNorms(const SkinLinks& skin, std::span<const std::size_t> cells) {
-  if (skin.model().accelerometer.scale_shared_sigma == 0) return {};
+  const double allowed = 5 * skin.model().accelerometer.scale_shared_sigma;
   double norms_g = 0;
   double count = 0;
   for (const std::size_t cell : cells) {
@@ -229,7 +229,7 @@ SensorLot lotByNorms(const SkinLinks& skin, std::span<const std::size_t> cells) 
       ++count;
     }
   }
-  return {Eigen::Vector3d::Zero(), norms_g > 0 ? norms_g / count : 1};
+  return {Eigen::Vector3d::Zero(), norms_g > 0 ? std::clamp(norms_g / count, 1 - allowed, 1 + allowed) : 1};
 }
 
 class Finder {

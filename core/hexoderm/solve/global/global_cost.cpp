@@ -213,7 +213,8 @@ GlobalState moved(const GlobalProblem& problem, const GlobalState& state, const 
   }
   if (problem.estimatesLot()) {
     next.lot.offset_g += border.segment<3>(layout.lot());
-    next.lot.scale += border[layout.lot() + 3];
+    constexpr double kLeast = 0.1;  // of the scale before: it stays above 0
+    next.lot.scale = std::max(kLeast * next.lot.scale, next.lot.scale + border[layout.lot() + 3]);
   }
   if (problem.gap.sigma) next.gap_share += border[layout.gapShare()];
   return next;

@@ -116,6 +116,16 @@ class SolvedGravityCovariance : public GravityCovariance {
   mutable std::shared_ptr<const GravityCovariance> without_tremor_;
 };
 
+/// A cell's readings by its chip's own errors alone, whatever its attitude.
+std::vector<CellReading> readingsByOwnErrors(const SensorState& sensor, const SensorLot& lot) {
+  std::vector<CellReading> own = sensor.readings;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    own[k].y_g = (own[k].y_g + (lot.scale - 1) * sensor.v_g[k]) / lot.scale;
+    own[k].variance_g2 /= lot.scale * lot.scale;
+  }
+  return own;
+}
+
 /// Lives with a model of its own: what is asked of a result's covariances later needs both, when the skin may be gone.
 std::shared_ptr<GlobalProblem> problemOf(const CellModel& model) {
   struct Owned {
@@ -292,12 +302,14 @@ void GlobalRefinement::leaveOut(std::size_t cell) {
 
 Misfit GlobalRefinement::misfitOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return testRigidity(priorOfChips(*problem_, solution_.state), sensors_[at].readings, sensors_[at].v_g);
+  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), readingsByOwnErrors(sensors_[at], lot()),
+                      sensors_[at].v_g);
 }
 
 TurnBetweenPoses GlobalRefinement::turnOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return findTurn(priorOfChips(*problem_, solution_.state), sensors_[at].readings, sensors_[at].v_g);
+  return findTurn(AccelerometerPrior(problem_->model->accelerometer), readingsByOwnErrors(sensors_[at], lot()),
+                  sensors_[at].v_g);
 }
 
 std::vector<double> GlobalRefinement::poseMisfits() const {

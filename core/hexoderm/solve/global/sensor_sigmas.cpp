@@ -272,7 +272,7 @@ std::optional<LotEstimate> lotOf(const Likelihood& likelihood, const Variances& 
 Accelerometer SensorSigmas::inModel(Accelerometer accelerometer) const {
   const double whole = accelerometer.ofUnknownLot().scale_sigma;
   double& own = accelerometer.scale_sigma = scale.forModel();
-  double& shared = accelerometer.scale_shared_sigma = shared_scale.sigma;
+  double& shared = accelerometer.scale_shared_sigma = shared_scale.forModel();
   if (shared_scale.knowledge == SigmaKnowledge::AtMost) own = std::hypot(own, std::exchange(shared, 0));
   if (shared_scale.knowledge == SigmaKnowledge::Unknown) shared = std::sqrt(std::max(0.0, whole * whole - own * own));
   accelerometer.cross_axis_sigma = cross_axis.forModel();
