@@ -110,8 +110,8 @@ struct GapShareEstimate {
   double sigma = 0;  ///< 0 where it was given
 };
 
-/// The errors that all accelerometers of a patch have in common, accelerometer axes: a chip whose own errors alone
-/// would read y reads scale y + offset.
+/// The errors that all accelerometers of a patch have in common, accelerometer axes: a chip with the offset b and the
+/// gain I + D of its own reads scale (I + D) f + b + offset of a specific force f.
 struct LotEstimate {
   Eigen::Vector3d offset_g = Eigen::Vector3d::Zero();
   Eigen::Vector3d offset_sigma_g = Eigen::Vector3d::Zero();  ///< 1 sigma

@@ -106,6 +106,12 @@ TEST(ConsensusOfCells, ADriftOfParallelSensorsIsTakenForAnotherForceAndDoesNoHar
   EXPECT_FALSE(consensus.commonDrift());
 }
 
+TEST(CellChange, WhereNoForceIsForetoldNoTurnIsSeen) {
+  const ViewComparison nothing{Eigen::VectorXd::Constant(3, 1e-7), Eigen::Vector3d(0.01, 0, -0.02),
+                               1e-4 * Eigen::Matrix3d::Identity(), Misfit{5, 3}};
+  EXPECT_EQ(nothing.deviate(), nothing.misfit.deviate());
+}
+
 TEST(CellChange, WhatIsSaidToBeNoticedIsNoticedNineteenTimesInTwenty) {
   std::mt19937 random(5);
   std::normal_distribution<double> normal;
