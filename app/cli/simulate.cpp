@@ -152,9 +152,10 @@ void addSimulate(CLI::App& app, Common& common) {
   takeWholeNumbers(addWithDefault(command, "--seed", options.words.seed, "Seed of everything random"), 0,
                    std::numeric_limits<std::uint64_t>::max());
   addInput(command, "--cell-model", options.cell_model, "Built-in name or JSON file")->capture_default_str();
-  takeNumbers(command.add_option("--offset-sigma", options.offset_sigma_mg,
-                                 "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)"),
-              0, kMaxOffsetSigma_mg);
+  takeNumbers(
+      command.add_option("--offset-sigma", options.offset_sigma_mg,
+                         "Offset of each accelerometer beside its lot's, 1 sigma, in mg (default: the cell model's)"),
+      0, kMaxOffsetSigma_mg);
   takeNumbers(
       command
           .add_option("--lot", options.lot,

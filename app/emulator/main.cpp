@@ -252,7 +252,7 @@ void addOptions(CLI::App& app, Options& options) {
       ->type_name("FILE")
       ->capture_default_str();
   app.add_option("--offset-sigma", options.offset_sigma_mg,
-                 "Accelerometer offsets, 1 sigma, in mg (default: the cell model's)")
+                 "Offset of each accelerometer beside its lot's, 1 sigma, in mg (default: the cell model's)")
       ->check(CLI::NonNegativeNumber);
   CLI::Option* ideal = app.add_flag("--ideal", options.words.ideal, "No jitter, no sensor errors, no noise, no hand");
   app.add_option("--fault", options.faults, faultSyntax() + "; may be repeated");
