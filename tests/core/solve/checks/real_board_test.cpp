@@ -66,6 +66,13 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
   };
   Attitudes solveAll(const CellModel& believed, std::size_t poses) {
     Attitudes sum;
+    // The fit that the chips' axes are from counts as a turn of the chip what no gravity tells from one: half of the
+    // cross-axis errors, of which a cell has its own and the origin's against it. Of large ones links tell a little.
+    Matrix6d turn_of_askew_axes = Matrix6d::Zero();
+    if (believed.accelerometer.offset_shared_sigma_g > 0) {
+      turn_of_askew_axes.bottomRightCorner<3, 3>().diagonal().setConstant(
+          std::pow(believed.accelerometer.cross_axis_sigma, 2));
+    }
     for (std::size_t draw = 0; draw < 4 * kDraws; ++draw) {
       for (const Session& day : days_) {
         Session session = onlyPosesOf(day, holds(poses));
@@ -75,10 +82,11 @@ class RealBoard : public ::testing::TestWithParam<const char*> {
           sum.accused += finding.severity != Severity::Info && !finding.cells.empty() ? 1 : 0;
         }
         const PatchReconstruction& patch = result->patches.front();
-        sum.nees.addPatch(patch, [this](CellId cell) { return chipAxes(cell); });
         for (const CellPlacement& cell : patch.cells) {
-          const Eigen::Matrix3d R_o_u = chipAxes(patch.origin).R.transpose() * chipAxes(cell.cell).R;
-          sum.squared_rad2 += logSO3(cell.T_o_u.R.transpose() * R_o_u).squaredNorm();
+          if (cell.cell == patch.origin) continue;
+          const SE3 axes_o = chipAxes(patch.origin).inverse() * chipAxes(cell.cell);
+          sum.nees.add(cell.T_o_u, axes_o, *cell.cov_t_r - turn_of_askew_axes);
+          sum.squared_rad2 += logSO3(cell.T_o_u.R.transpose() * axes_o.R).squaredNorm();
         }
       }
     }
@@ -175,8 +183,8 @@ TEST_P(RealBoard, ErrsByLessThanStatedAgainstTheChipsOwnAxes) {
                 << " poses: error " << toDegrees(std::sqrt(found.squared_rad2 / found.nees.count))
                 << " deg, normalised square " << found.nees.orientation << "\n";
       EXPECT_EQ(found.accused, 0U) << poses;
-      EXPECT_LT(found.nees.orientation, 1) << poses;
-      EXPECT_TRUE(!knows_lot || poses > 3 || found.nees.orientation > 0.1) << poses;
+      EXPECT_LT(found.nees.orientation, knows_lot ? 2 : 1) << poses;
+      EXPECT_TRUE(!knows_lot || found.nees.orientation > 0.3) << poses;
     }
   }
 }
