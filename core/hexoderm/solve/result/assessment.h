@@ -10,8 +10,8 @@
 namespace hexoderm {
 
 /// How good a calibration is.
-enum class VerdictLevel { Good, Usable, NotEnough, Failed };
-std::string_view verdictName(VerdictLevel level);                    ///< "good", "usable", "not_enough", "failed"
+enum class VerdictLevel { Good, Usable, Coarse, NotEnough, NotTrusted, Failed };
+std::string_view verdictName(VerdictLevel level);                    ///< "good", ..., "not_enough", ..., as in files
 std::optional<VerdictLevel> verdictFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// What keeps a result from being better than it is.
