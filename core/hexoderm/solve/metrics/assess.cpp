@@ -409,7 +409,6 @@ void withdrawUncertainties(Reconstruction& r) {
     const auto isRefuted = [&](const CellPlacement& cell) { return refuted.contains(cell.cell); };
     if (!refuted.empty() && std::ranges::none_of(patch.cells, isRefuted)) continue;
     patch.covariance.reset();
-    patch.gravity_covariance.reset();
     for (CellPlacement& cell : patch.cells) {
       cell.cov_t_r.reset();
       cell.shape_cov_t_r.reset();

@@ -19,8 +19,8 @@ const Finding* worstFinding(const Reconstruction& reconstruction);
 /// what is stated of it by that model means nothing.
 bool refutesModel(FindingCode code);
 
-/// Takes back all that a result that is not to be trusted states about uncertainties: of the patches that a finding
-/// refutes, or of all where none does alone.
+/// Takes back what a result that is not to be trusted states about the uncertainty of its cells: of the patches that a
+/// finding refutes, or of all where none does alone.
 void withdrawUncertainties(Reconstruction& reconstruction);
 
 /// The uncertainty of the worst of the measured cells; cells placed through their links are named by findings of their
