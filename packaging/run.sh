@@ -47,7 +47,7 @@ step() {
 session="$out/x17.session.json"
 calibration="$out/x17.calibration.json"
 step simulate --patch x17 --surface cylinder:r=0.0501 --poses 3 --seed 1 -o "$session"
-# 1 says that the verdict is "not enough"; the calibration is written all the same.
+# 1 says that the verdict is "not enough" or worse; the calibration is written all the same.
 step solve "$session" -o "$calibration" || [ $? -eq 1 ]
 step evaluate "$calibration" --fit cylinder --true-radius 0.0501 --against "$session"
 step inspect "$calibration"

@@ -290,7 +290,7 @@ void printVerdict(const Assessment& assessment) {
   const std::string_view level = verdictName(assessment.level);
   std::string reason = assessment.reason.english();
   // Most reasons begin with the verdict themselves.
-  std::string word(level);
+  std::string word(assessment.level == VerdictLevel::NotTrusted ? "not to be trusted" : level);
   std::ranges::replace(word, '_', ' ');
   const std::string beginning = static_cast<char>(std::toupper(word.front())) + word.substr(1) + ": ";
   const bool repeats = reason.starts_with(beginning);

@@ -30,7 +30,8 @@ namespace hexoderm::cli {
 /// Exit codes of the program.
 enum ExitCode : int {
   kDone = 0,
-  kNotGoodEnough = 1,  ///< the verdict is not_enough or failed, or a check found changes; the output is still written
+  kNotGoodEnough =
+      1,  ///< the verdict is not_enough, not_trusted or failed, or a check found changes; the output is still written
   kUsage = 2,
   kBadInput = 3,
   kDevice = 4,

@@ -198,6 +198,9 @@ int run(const ExportCommandOptions& command, const Common& common) {
     }
   }
   if (const std::string remark = joinedWithoutAPlace(formats, options); !remark.empty()) addOnce(remarks, remark);
+  const bool is_trusted = calibration->assessment.level != VerdictLevel::NotTrusted;
+  const int exit_code = is_trusted ? kDone : kNotGoodEnough;
+  if (!is_trusted) common.complain(command.input + ": " + calibration->assessment.reason.english());
   const std::vector<std::string> not_carried = notCarried(formats);
   for (const std::string& sentence : not_carried) addOnce(remarks, sentence);
   const auto sayWhatIsMissing = [&] {
@@ -209,7 +212,7 @@ int run(const ExportCommandOptions& command, const Common& common) {
     output.write(withRobotAsInput(options, [&] { return exportBytes(*calibration, formats.front(), options); }));
     common.endProgress();
     sayWhatIsMissing();
-    return kDone;
+    return exit_code;
   }
   const auto files = withRobotAsInput(options, [&] {
     return is_folder ? exportBundle(*calibration, formats, command.output, options)
@@ -229,7 +232,7 @@ int run(const ExportCommandOptions& command, const Common& common) {
     }
     sayWhatIsMissing();
   }
-  return kDone;
+  return exit_code;
 }
 
 /// "urdf, robot-urdf: URDF of the robot" for the help.

@@ -51,9 +51,10 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done; 1 the result is not good enough, and the output is still written: the verdict is "
-      "not_enough\n"
-      "or failed, no pose was captured, check found changes, listen an obstacle, sensors, parts, links or place can't\n"
-      "tell; 2 usage; 3 bad input; 4 device; 5 storage; 130 interrupted.\n\n"
+      "not_enough,\n"
+      "not_trusted (with export too) or failed, no pose was captured, check found changes, listen an obstacle, "
+      "sensors,\n"
+      "parts, links or place can't tell; 2 usage; 3 bad input; 4 device; 5 storage; 130 interrupted.\n\n"
       "A first calibration, of a simulated skin:\n"
       "  hexoderm-cli simulate --poses 3 -o arm.session.json\n"
       "  hexoderm-cli solve arm.session.json -o arm.calibration.json\n"

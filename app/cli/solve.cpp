@@ -304,8 +304,8 @@ int solveBatch(const SolveBatch& batch, const Common& common) {
   if (session == count) {
     if (!common.json) {
       std::cout << counted(count, "session") << ": " << count - report.not_good_enough - report.failed
-                << " good or usable, " << report.not_good_enough << " not enough or failed, " << report.failed
-                << " with an error\n";
+                << " good, usable or coarse, " << report.not_good_enough << " not enough, not trusted or failed, "
+                << report.failed << " with an error\n";
     }
     return report.exit_code;
   }
@@ -329,6 +329,7 @@ struct SolveOptions {
   std::map<std::string_view, std::string> choices;  ///< of solverChoices(), by name
   std::vector<std::uint32_t> without;
   double class_threshold = SolverOptions().class_threshold;
+  std::vector<double> goal;  ///< mm, degrees; empty: the default
 };
 
 void printSummary(const Reconstruction& r, const Session& session) {
@@ -361,6 +362,11 @@ int run(const SolveOptions& options, const Common& common) {
   for (const SolverChoice& choice : solverChoices()) choice.set(solver, options.choices.at(choice.name));
   for (const std::uint32_t id : options.without) solver.left_out.emplace_back(id);
   solver.class_threshold = options.class_threshold;
+  if (!options.goal.empty()) {
+    solver.goal = {options.goal[0] * kMillimetre, options.goal[1] * kDegree};
+    checkOption("--goal", formatExact(options.goal[0]) + "," + formatExact(options.goal[1]),
+                [&] { solver.validate(); });
+  }
   solver.validate();
   if (options.inputs.size() > 1 || options.output.ends_with('/')) {
     return solveBatch({options.inputs, options.output, std::move(solver), options.jobs}, common);
@@ -413,6 +419,14 @@ void addSolve(CLI::App& app, Common& common) {
   takeNumbersAbove(addWithDefault(command, "--class-threshold", options.class_threshold,
                                   "Singular value from which a direction counts as defined; 1 is the paper's"),
                    0, kMaxClassThreshold);
+  takeNumbersAbove(command
+                       .add_option("--goal", options.goal,
+                                   "How well every cell is to be known (95 %): the result is good within it, usable "
+                                   "within three times as much, and coarse beyond (default: 3,2)")
+                       ->type_name("MM,DEG")
+                       ->expected(2)
+                       ->delimiter(','),
+                   0, toMillimetres(kMaxGoal.position_m));
   takeWholeNumbers(
       command.add_option("-j,--jobs", options.jobs,
                          "Of many sessions, so many at the same time (default: as the computer has threads)"),

@@ -44,6 +44,7 @@ py::dict optionsOf(const Reconstruction& self) {
   }
   dict["without"] = options.left_out;
   dict["class_threshold"] = options.class_threshold;
+  dict["goal"] = std::pair(options.goal.position_m, options.goal.orientation_rad);
   return dict;
 }
 
@@ -87,8 +88,8 @@ void bindFinding(py::module_& module) {
 
 void bindVerdict(py::module_& module) {
   py::class_<Assessment>(module, "Verdict", "How well the skin is known, what limits that, and what helps next.")
-      .def_readonly("level", &Assessment::level, "good, usable, not_enough or failed.")
-      .def_property_readonly("is_usable", &Assessment::isUsable, "The level is good or usable.")
+      .def_readonly("level", &Assessment::level, "good, usable, coarse, not_enough, not_trusted or failed.")
+      .def_property_readonly("is_usable", &Assessment::isUsable, "The level is good, usable or coarse.")
       .def_readonly("reason", &Assessment::reason, "Why it is this level, in words.")
       .def_readonly("position_95_m", &Assessment::position_95_m,
                     "At the worst measured cell, relative to its origin, with 95 %, m: 1.96 times the root of the\n"

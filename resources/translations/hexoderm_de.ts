@@ -336,6 +336,10 @@
         <source>The result does not need all three values to reach %1.</source>
         <translation>Für das Ergebnis müssen nicht alle drei Werte %1 erreichen.</translation>
     </message>
+    <message>
+        <source>There are enough poses. With another one the error would fall to about %1 % of what it is now.</source>
+        <translation>Es sind genug Posen. Mit einer weiteren fiele der Fehler auf etwa %1 % des jetzigen.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::CardDock</name>
@@ -1214,6 +1218,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>Documents (*.pdf);;Pages for the browser (*.html)</source>
         <translation>Dokumente (*.pdf);;Seiten für den Browser (*.html)</translation>
     </message>
+    <message>
+        <source>Not to be trusted</source>
+        <translation>Nicht vertrauenswürdig</translation>
+    </message>
+    <message>
+        <source>Export all the same</source>
+        <translation>Trotzdem exportieren</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::FigureCard</name>
@@ -1831,6 +1843,14 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>%1 cells are placed for now, and the result is being worked out…</source>
         <translation>%1 Zellen sind vorläufig platziert, das Ergebnis wird noch berechnet…</translation>
+    </message>
+    <message>
+        <source>Nothing was found that does not fit. There are notes only.</source>
+        <translation>Es wurde nichts gefunden, was nicht passt. Es gibt nur Hinweise.</translation>
+    </message>
+    <message>
+        <source>The result is not to be trusted, as the line on top says: before it is exported, a question is asked.</source>
+        <translation>Dem Ergebnis ist nicht zu trauen, wie die Zeile oben sagt: Vor dem Export wird nachgefragt.</translation>
     </message>
 </context>
 <context>
@@ -2816,10 +2836,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Exportieren.</translation>
     </message>
     <message>
-        <source>That should bring ±{} to about ±{}.</source>
-        <translation>Das sollte aus ±{} etwa ±{} machen.</translation>
-    </message>
-    <message>
         <source>1 pose</source>
         <translation>1 Pose</translation>
     </message>
@@ -3714,10 +3730,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>&quot;info&quot;, &quot;warning&quot; or &quot;error&quot;</source>
         <translation>„info“, „warning“ oder „error“</translation>
-    </message>
-    <message>
-        <source>&quot;good&quot;, &quot;usable&quot;, &quot;not_enough&quot; or &quot;failed&quot;</source>
-        <translation>„good“, „usable“, „not_enough“ oder „failed“</translation>
     </message>
     <message>
         <source>each patch once</source>
@@ -4827,10 +4839,6 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>poses {}</source>
         <translation>Posen {}</translation>
-    </message>
-    <message>
-        <source>Take {} again. That should bring ±{} to about ±{}.</source>
-        <translation>{} noch einmal aufnehmen. Das sollte ±{} auf etwa ±{} bringen.</translation>
     </message>
     <message>
         <source>Look at the findings and check the links between the cells.</source>
@@ -7196,6 +7204,82 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
     <message>
         <source>offset {}, {}, {} +- {} mg, scale {} +- {} (1 sigma)</source>
         <translation>Offset {}, {}, {} ± {} mg, Skalierung {} ± {} (1 Sigma)</translation>
+    </message>
+    <message>
+        <source>After all that was found the readings or links still do not fit the model: the result is not to be trusted.</source>
+        <translation>Nach allem, was gefunden wurde, passen Messwerte oder Verbindungen immer noch nicht zum Modell: Dem Ergebnis ist nicht zu trauen.</translation>
+    </message>
+    <message>
+        <source>What is left unexplained is far larger than the model&apos;s own uncertainties can explain.</source>
+        <translation>Was unerklärt bleibt, ist weit größer, als die Unsicherheiten des Modells erklären.</translation>
+    </message>
+    <message>
+        <source>Check the cell model and the findings, and take the poses again with the part held still.</source>
+        <translation>Das Zellmodell und die Befunde prüfen und die Posen noch einmal aufnehmen, während das Teil stillgehalten wird.</translation>
+    </message>
+    <message>
+        <source>&quot;good&quot;, &quot;usable&quot;, &quot;coarse&quot;, &quot;not_enough&quot;, &quot;not_trusted&quot; or &quot;failed&quot;</source>
+        <translation>„good“, „usable“, „coarse“, „not_enough“, „not_trusted“ oder „failed“</translation>
+    </message>
+    <message>
+        <source>around cell {}</source>
+        <translation>um Zelle {}</translation>
+    </message>
+    <message>
+        <source>in the patch of cell {}</source>
+        <translation>im Hautstück von Zelle {}</translation>
+    </message>
+    <message>
+        <source>The readings {} still contradict each other, by {} times what noise and the sensors&apos; errors explain.</source>
+        <translation>Die Messwerte {} widersprechen einander immer noch, um das {}-Fache dessen, was Rauschen und Sensorfehler erklären.</translation>
+    </message>
+    <message>
+        <source>The links {} are still turned by {} times what the elastomer allows.</source>
+        <translation>Die Verbindungen {} sind immer noch um das {}-Fache dessen verdreht, was das Elastomer zulässt.</translation>
+    </message>
+    <message>
+        <source>The loops of links {} still don&apos;t close, by {} times what the mould explains.</source>
+        <translation>Die Ringe aus Verbindungen {} schließen sich immer noch nicht, um das {}-Fache dessen, was die Form erklärt.</translation>
+    </message>
+    <message>
+        <source>Something is wrong with the readings of {} of {} cells: too many to tell which are right.</source>
+        <translation>Mit den Messwerten von {} von {} Zellen stimmt etwas nicht: zu viele, um zu sagen, welche richtig sind.</translation>
+    </message>
+    <message>
+        <source>The skin fell apart at {} links that do not fit it, and nothing says that there is a joint.</source>
+        <translation>Die Haut zerfiel an {} Verbindungen, die nicht zu ihr passen, und nichts sagt, dass dort ein Gelenk ist.</translation>
+    </message>
+    <message>
+        <source>Not to be trusted: {}</source>
+        <translation>Nicht vertrauenswürdig: {}</translation>
+    </message>
+    <message>
+        <source>Look at the findings, and compare the cell model, the cells and their links with the skin.</source>
+        <translation>Die Befunde ansehen und Zellmodell, Zellen und Verbindungen mit der Haut vergleichen.</translation>
+    </message>
+    <message>
+        <source>Coarse: {}, {}.</source>
+        <translation>Grob: {}, {}.</translation>
+    </message>
+    <message>
+        <source>What limits it is mostly how the cells lie in the mould: another pose would bring {}.</source>
+        <translation>Grenze ist vor allem, wie die Zellen in der Form liegen: Eine weitere Pose brächte {}.</translation>
+    </message>
+    <message>
+        <source>The {} patches, which a joint or the robot holds together, lie each in the frame of its own origin.</source>
+        <translation>Die {} Hautstücke, die ein Gelenk oder der Roboter zusammenhält, liegen jedes im Koordinatensystem seines eigenen Ursprungs.</translation>
+    </message>
+    <message>
+        <source>Take {} again. That should bring {}.</source>
+        <translation>{} noch einmal aufnehmen. Das sollte {} bringen.</translation>
+    </message>
+    <message>
+        <source>±{} to about ±{}</source>
+        <translation>±{} auf etwa ±{}</translation>
+    </message>
+    <message>
+        <source>That should bring {}.</source>
+        <translation>Das sollte {} bringen.</translation>
     </message>
 </context>
 <context>
@@ -9636,6 +9720,10 @@ Auf einem entfernten Bildschirm oder mit einem fehlerhaften Treiber kann es helf
     <message>
         <source>Lot of accelerometers, patch of cell %1</source>
         <translation>Charge der Sensoren, Hautstück der Zelle %1</translation>
+    </message>
+    <message>
+        <source>What was measured contradicts the model that the places of the cells follow from, so that this report can&apos;t say how far they are off. They should not be used.</source>
+        <translation>Was gemessen wurde, widerspricht dem Modell, aus dem die Lage der Zellen folgt, sodass dieser Bericht nicht sagen kann, wie weit sie daneben liegen. Sie sollten nicht verwendet werden.</translation>
     </message>
 </context>
 <context>

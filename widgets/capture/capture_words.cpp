@@ -37,13 +37,26 @@ double roundedTurn_deg(double turn_rad) {
   return kStep_deg * std::round(toDegrees(turn_rad) / kStep_deg);
 }
 
+/// What the error would be with the pose, in percent of what it is; empty where that is nearly the same. A share,
+/// because the verdict states the worst cell's error and this is that of an edge.
+QString shareWithPose(const NextPose& next) {
+  const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
+  return share > 0.95 ? QString() : figureText(std::max(1.0, std::round(100 * share)), 0);
+}
+
 }  // namespace
 
 QString nextPoseText(const NextPose& next) {
+  const QString share = shareWithPose(next);
   if (next.gain == PoseGain::First) return CaptureWords::tr("Hold the part still, any way up.");
   if (!next.worthwhile) {
     return next.is_good ? CaptureWords::tr("There are enough poses: the result is good.")
-                        : CaptureWords::tr("There are enough poses. Another one would hardly help.");
+           : share.isEmpty()
+               ? CaptureWords::tr("There are enough poses. Another one would hardly help.")
+               : CaptureWords::tr(
+                     "There are enough poses. With another one the error would fall to about %1 % of what "
+                     "it is now.")
+                     .arg(share);
   }
   switch (next.target.facing) {
     case Facing::Ceiling:
@@ -72,10 +85,10 @@ QString turnAngleText(const NextPose& next) {
 
 QString gainText(const NextPose& next) {
   if (!next.worthwhile) {
-    return next.is_good
-               ? CaptureWords::tr("Why: at the worst cell the error is below %1° and %2 mm.")
-                     .arg(figureText(toDegrees(kGoodOrientation_rad), 0), figureText(kGoodPosition_m / kMillimetre, 0))
-               : CaptureWords::tr("Why: the error that is left does not come from too few directions.");
+    return next.is_good ? CaptureWords::tr("Why: at the worst cell the error is below %1° and %2 mm.")
+                              .arg(figureText(toDegrees(next.goal.orientation_rad), 0),
+                                   figureText(toMillimetres(next.goal.position_m), 0))
+                        : CaptureWords::tr("Why: the error that is left does not come from too few directions.");
   }
   switch (next.gain) {
     case PoseGain::First:
@@ -100,13 +113,12 @@ QString gainText(const NextPose& next) {
 QString sigmaText(const NextPose& next) {
   const bool could_be_better = next.gain != PoseGain::First && next.is_good;
   if (!next.isWanted() && !could_be_better) return {};
-  // A share, because the verdict states the worst cell's error and this is that of an edge.
-  const double share = next.sigma_now_rad > 0 ? next.sigma_then_rad / next.sigma_now_rad : 1;
-  if (share > 0.95) return CaptureWords::tr("Another pose would hardly make it better.");
+  const QString share = shareWithPose(next);
+  if (share.isEmpty()) return CaptureWords::tr("Another pose would hardly make it better.");
   const QString sentence =
       next.isWanted() ? CaptureWords::tr("With this pose the error falls to about %1 % of what it is now.")
                       : CaptureWords::tr("With another pose the error would fall to about %1 % of what it is now.");
-  return sentence.arg(figureText(std::max(1.0, std::round(100 * share)), 0));
+  return sentence.arg(share);
 }
 
 QString missingText(const PoseCoverage& coverage, const std::optional<Eigen::Vector3d>& next_up_o) {

@@ -21,7 +21,9 @@ inline QColor toneColor(Tone tone, Theme theme) {
   const Colors& colors = Colors::of(theme);
   return ofEnum(tone, {colors.text_muted, colors.good, colors.caution, colors.bad});
 }
-inline Tone toneOf(VerdictLevel level) { return ofEnum(level, {Tone::Good, Tone::Caution, Tone::Caution, Tone::Bad}); }
+inline Tone toneOf(VerdictLevel level) {
+  return ofEnum(level, {Tone::Good, Tone::Caution, Tone::Caution, Tone::Caution, Tone::Bad, Tone::Bad});
+}
 inline Tone toneOf(Severity severity) { return ofEnum(severity, {Tone::Neutral, Tone::Caution, Tone::Bad}); }
 /// A sign of its own for each tone, so that no meaning hangs on hue.
 inline QString toneSign(Tone tone) {

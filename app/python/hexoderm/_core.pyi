@@ -339,6 +339,7 @@ def solve(
     gap_model: str = ...,
     without: Sequence[int] = ...,
     class_threshold: float = ...,
+    goal: tuple[float, float] = ...,
     earlier: Calibration | None = ...,
 ) -> Calibration: ...
 def export_formats() -> dict[str, str]: ...

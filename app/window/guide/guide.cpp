@@ -238,8 +238,9 @@ Step reviewStep(const SessionController& controller, const WindowActions& action
   const Finding* finding = worstFinding(*result);
   if (captured) step.state = finding ? StepState::Current : StepState::Done;
   // The verdict itself stands in the banner, and the cards below say what was found.
-  step.what = finding ? Guide::tr("Look at what was found, the worst first.")
-                      : Guide::tr("Nothing was found that does not fit.");
+  step.what = finding                    ? Guide::tr("Look at what was found, the worst first.")
+              : result->findings.empty() ? Guide::tr("Nothing was found that does not fit.")
+                                         : Guide::tr("Nothing was found that does not fit. There are notes only.");
   if (controller.session()) {
     step.why = Guide::tr(
         "A pose that does not fit can be disabled or deleted in the table of poses, and taken back with "
@@ -302,8 +303,11 @@ Step exportStep(const SessionController& controller, const WindowActions& action
   if (controller.session()) step.actions.push_back(actions.save);
   step.what = Guide::tr("Write the placements in the form you need.");
   step.why =
-      result->assessment.isUsable()
-          ? Guide::tr("Every file is read back and compared before it is called written.")
+      result->assessment.isUsable() ? Guide::tr("Every file is read back and compared before it is called written.")
+      : result->assessment.level == VerdictLevel::NotTrusted
+          ? Guide::tr(
+                "The result is not to be trusted, as the line on top says: before it is exported, a question is "
+                "asked.")
           : Guide::tr("It can be exported as it is, but the result is not good enough yet: see the line on top.");
   return step;
 }

@@ -15,7 +15,9 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QMessageBox>
 #include <QPainter>
+#include <QPushButton>
 #include <functional>
 #include <utility>
 
@@ -51,7 +53,7 @@ class ExportPresenter : public Presenter {
  public:
   ExportPresenter(const WindowParts& parts, const Verification& verification, FilePresenter& files)
       : Presenter(parts), verification_(verification), files_(files) {
-    connect(actions.export_to, &QAction::triggered, this, &ExportPresenter::showExportDialog);
+    connect(actions.export_to, &QAction::triggered, this, &ExportPresenter::askForExport);
     connect(actions.report, &QAction::triggered, this, &ExportPresenter::askForReport);
     connect(actions.report_title, &QAction::triggered, this,
             [this] { askForTitle(keptReportTitle(sessionKey()).value_or(proposedReportTitle()), tr("Keep"), [] {}); });
@@ -106,6 +108,23 @@ class ExportPresenter : public Presenter {
                         tr("Documents (*.pdf);;Pages for the browser (*.html)"), QStringLiteral(".pdf"),
                         [this](const QString& path) { controller.resultFiles().writeReport(content(), path); });
     });
+  }
+
+  /// Of what is not to be trusted the operator says first that it is to be exported all the same.
+  void askForExport() {
+    const auto result = controller.reconstruction();
+    if (!result || result->assessment.level != VerdictLevel::NotTrusted) {
+      showExportDialog();
+      return;
+    }
+    auto* box = new QMessageBox(QMessageBox::Warning, tr("Not to be trusted"), words(result->assessment.reason),
+                                QMessageBox::Cancel, &window);
+    box->setObjectName(QStringLiteral("untrustedBox"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* go_on = box->addButton(tr("Export all the same"), QMessageBox::AcceptRole);
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(go_on, &QPushButton::clicked, this, &ExportPresenter::showExportDialog);
+    openInTurns(box);
   }
 
   void showExportDialog() {

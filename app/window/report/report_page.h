@@ -135,7 +135,8 @@ class ReportPage {
   }
   void addVerdict() {
     const Assessment& verdict = result_.assessment;
-    const QString goal = tr("±%1 mm and ±%2").arg(tenths(kGoodPosition_m), degreesText(kGoodOrientation_rad));
+    const Goal& wanted = result_.options.goal;
+    const QString goal = tr("±%1 mm and ±%2").arg(tenths(wanted.position_m), degreesText(wanted.orientation_rad));
     QString meaning;
     if (verdict.isUsable() && verdict.position_95_m && verdict.orientation_95_rad) {
       meaning =
@@ -143,7 +144,7 @@ class ReportPage {
              "along or about any one axis, seen from the origin cell of its patch.")
               .arg(tenths(*verdict.position_95_m), degreesText(verdict.orientation_95_rad));
       meaning += QLatin1Char(' ');
-      meaning += verdict.level == VerdictLevel::Good
+      meaning += meets({*verdict.position_95_m, *verdict.orientation_95_rad}, wanted)
                      ? tr("A good calibration knows every cell to %1, and this one does.").arg(goal)
                      : tr("A good calibration knows every cell to %1; this one is coarser, and serves where touch need "
                           "not be located more finely.")
@@ -155,6 +156,10 @@ class ReportPage {
       meaning =
           tr("The places of the cells are a first guess: what was measured does not determine them yet. They should "
              "not be used.");
+    } else if (verdict.level == VerdictLevel::NotTrusted) {
+      meaning = tr(
+          "What was measured contradicts the model that the places of the cells follow from, so that this report can't "
+          "say how far they are off. They should not be used.");
     } else {
       meaning = tr("Something is broken or missing, as the findings say. The places of the cells should not be used.");
     }
@@ -243,13 +248,14 @@ class ReportPage {
     remarks << tr("Grey: seen from behind.");
     note(remarks.join(QLatin1Char(' ')));
     if (!coloring.worst || patch.cells.size() == 1) return;
+    const Goal& goal = result_.options.goal;
     HistogramPlot plot{tr("How well the places of the cells are known, and the colours of the pictures above"),
                        coloring.distribution,
                        coloring.axis,
                        tr("cells"),
                        true,
                        {{coloring.distribution.median, tr("median")}}};
-    plot.marks.push_back({toMillimetres(kGoodPosition_m), tr("good: up to %1 mm").arg(tenths(kGoodPosition_m))});
+    plot.marks.push_back({toMillimetres(goal.position_m), tr("good: up to %1 mm").arg(tenths(goal.position_m))});
     std::ranges::sort(plot.marks, {}, &HistogramPlot::Mark::value);
     std::vector<ReportDrawing> plots = {histogramDrawing(std::move(plot))};
     std::vector<double> turns;
@@ -265,7 +271,7 @@ class ReportPage {
                            false,
                            {}};
     of_turns.marks = {{of_turns.distribution.median, tr("median")},
-                      {toDegrees(kGoodOrientation_rad), tr("good: up to %1").arg(degreesText(kGoodOrientation_rad))}};
+                      {toDegrees(goal.orientation_rad), tr("good: up to %1").arg(degreesText(goal.orientation_rad))}};
     std::ranges::sort(of_turns.marks, {}, &HistogramPlot::Mark::value);
     plots.push_back(histogramDrawing(std::move(of_turns)));
     document_.blocks.emplace_back(ReportDrawings{2, std::move(plots)});

@@ -165,6 +165,26 @@ const auto& table() {
                       "description of the cell."),
        .what_to_do = message("Compare the axes and the numbers of the ports in the cell model with a real cell."),
        .remedies = {}},
+      {.code = TornSkin,
+       .name = "torn-skin",
+       .severity = Severity::Warning,
+       .meaning = message("Links along one line fit no skin: the skin is torn there, or a joint or a cable crosses it; "
+                          "they are muted."),
+       .why = message(
+           "Each of these links alone could be askew, but they lie side by side, and without them both sides fit."),
+       .what_to_do = message("Look along the line of links. If a joint or cables cross it, leave them muted; if the "
+                             "skin is whole there, check the cells beside it."),
+       .remedies = {LightCell}},
+      {.code = InsideOut,
+       .name = "inside-out",
+       .severity = Severity::Info,
+       .meaning =
+           message("Nearly all links bend inwards: the skin lies in a hollow, or all its axes point the other way."),
+       .why = message("A skin on the outside of a body bends outwards. Gravity can't tell a hollow from a skin whose "
+                      "cells face the wrong way."),
+       .what_to_do =
+           message("Say whether the skin lies in a hollow. If it does not, check the axes in the cell model."),
+       .remedies = {}},
       {.code = NoSamples,
        .name = "no-samples",
        .severity = Severity::Warning,
@@ -261,6 +281,22 @@ const auto& table() {
        .why = message("If the readings of the two cells are exchanged, they fit with those around them."),
        .what_to_do = message("Exchange the IDs of the two cells, or check how their data are passed on."),
        .remedies = {LightCell}},
+      {.code = ShiftedReadings,
+       .name = "shifted-readings",
+       .severity = Severity::Warning,
+       .meaning = message("Cells fit into the skin with the readings of the next cell along a chain: their IDs or "
+                          "cables are shifted."),
+       .why = message("With each other's readings these cells fit their neighbours, and with their own they don't."),
+       .what_to_do =
+           message("Check the IDs of these cells, or the order in which they are connected, and connect again."),
+       .remedies = {LightCell}},
+      {.code = MixedReadings,
+       .name = "mixed-readings",
+       .severity = Severity::Warning,
+       .meaning = message("Readings are mixed with those of neighbouring cells."),
+       .why = message("What the readings leave unexplained follows the readings of a neighbour."),
+       .what_to_do = message("Check the bus for crosstalk, and that no two cells answer at a time."),
+       .remedies = {LightCell}},
       {.code = TurnedSensor,
        .name = "turned-sensor",
        .severity = Severity::Error,
@@ -268,6 +304,15 @@ const auto& table() {
        .why = message("The readings fit as soon as the cell is taken to lie otherwise."),
        .what_to_do =
            message("Look how the cell lies in the mould, and whether its sensor sits as the cell model says."),
+       .remedies = {LightCell}},
+      {.code = TurnedGroup,
+       .name = "turned-group",
+       .severity = Severity::Warning,
+       .meaning = message("Neighbouring cells are turned against the others by one turn: they are mounted otherwise, "
+                          "or of another batch."),
+       .why = message(
+           "Within the group the cells fit each other, and with one turn or reflection they fit the others too."),
+       .what_to_do = message("Compare these cells with the others: their axes, and how they lie in the mould."),
        .remedies = {LightCell}},
       {.code = MovedCell,
        .name = "moved-cell",
@@ -367,6 +412,15 @@ const auto& table() {
        .what_to_do =
            message("Take another pose: two alone often leave open where the optimum is. Until then rely on no "
                    "figure of this patch."),
+       .remedies = {TakePose}},
+      {.code = PoorFit,
+       .name = "poor-fit",
+       .severity = Severity::Error,
+       .meaning = message("After all that was found the readings or links still do not fit the model: the result is "
+                          "not to be trusted."),
+       .why = message("What is left unexplained is far larger than the model's own uncertainties can explain."),
+       .what_to_do =
+           message("Check the cell model and the findings, and take the poses again with the part held still."),
        .remedies = {TakePose}},
   });
   static_assert(the_table.size() == enumeratorCount<FindingCode>());

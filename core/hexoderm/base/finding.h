@@ -36,6 +36,8 @@ enum class FindingCode {
   LinkDoesNotClose,
   LinkSetAside,
   ContradictsModel,
+  TornSkin,
+  InsideOut,
   // cells, judged by their readings
   NoSamples,
   MissingSamples,
@@ -49,7 +51,10 @@ enum class FindingCode {
   InconsistentSensor,
   IdenticalReadings,
   SwappedReadings,
+  ShiftedReadings,
+  MixedReadings,
   TurnedSensor,
+  TurnedGroup,
   MovedCell,
   SuspiciousSensor,
   SensorsUnlikeModel,
@@ -65,6 +70,7 @@ enum class FindingCode {
   InconsistentPose,
   // the estimate
   NotConverged,
+  PoorFit,
 };
 
 /// What an operator can do about a finding with the program itself, about the link, the pose or the cell that the

@@ -52,6 +52,12 @@ Setting(NameOf, FromName) -> Setting<NameOf, FromName>;
 
 template <class Json, class Options>
 void optionFields(Json& json, Options& options) {
+  std::optional<Goal> goal;
+  if (options.goal != Goal()) goal = options.goal;
+  const auto goalFields = [](auto& item, auto& of_options) {
+    item.object(requiredField("mm", of_options.position_m, InUnit{kMillimetre}),
+                requiredField("deg", of_options.orientation_rad, kAngle));
+  };
   json.object(defaultedField("centre", options.centring, Setting{centringName, centringFromName}),
               defaultedField("support-axes", options.support_axes, Setting{supportAxesName, supportAxesFromName}),
               defaultedField("weights", options.weights, Setting{linkWeightsName, linkWeightsFromName}),
@@ -61,7 +67,8 @@ void optionFields(Json& json, Options& options) {
               defaultedField("max-yaw-deg", options.max_yaw_rad, kAngle),
               defaultedField("max-misfit", options.max_misfit, kPositive),
               defaultedField("max-opening", options.max_opening, kPositive),
-              optionalField("without", options.left_out));
+              optionalField("goal", goal, Described{goalFields}), optionalField("without", options.left_out));
+  if constexpr (kIsRead<Json>) options.goal = goal.value_or(Goal());
 }
 
 template <class Json, class Source>
@@ -200,8 +207,9 @@ void findingFields(Json& json, Found& finding) {
 
 template <class Json, class Verdict>
 void verdictFields(Json& json, Verdict& verdict) {
-  const Named level{verdictName, verdictFromName,
-                    [] { return message("\"good\", \"usable\", \"not_enough\" or \"failed\""); }};
+  const Named level{verdictName, verdictFromName, [] {
+                      return message("\"good\", \"usable\", \"coarse\", \"not_enough\", \"not_trusted\" or \"failed\"");
+                    }};
   const Named limit{limitName, limitFromName, [] { return message("what limits a result"); }};
   const Named remedy{remedyName, remedyFromName, [] { return message("what helps a result"); }};
   json.object(requiredField("level", verdict.level, level), requiredMessage("reason", verdict.reason),

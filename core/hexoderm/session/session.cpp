@@ -101,6 +101,11 @@ void Session::setRobot(std::optional<RobotDescription> robot) {
   ++now_.revision;
 }
 
+void Session::setSide(SkinSide side) {
+  now_.side = side;
+  ++now_.revision;
+}
+
 void Session::setPlacement(PatchPlacement placement) {
   placement.validate();
   auto place = std::ranges::lower_bound(now_.placements, placement.origin, {}, &PatchPlacement::origin);

@@ -39,6 +39,13 @@ struct MutedLink {
   friend bool operator==(const MutedLink&, const MutedLink&) = default;
 };
 
+/// Whether the body that wears the skin is seen from outside or lies about it: gravity alone can't tell.
+enum class SkinSide {
+  Unknown,
+  Convex,   ///< on the outside of a body
+  Concave,  ///< in a hollow
+};
+
 /// Everything a reconstruction is computed from, at one revision. Immutable: the holder of the shared pointer can read
 /// it on any thread for any time.
 struct SessionSnapshot {
@@ -51,6 +58,7 @@ struct SessionSnapshot {
   std::vector<MutedLink> muted_links;        ///< in ascending order of their ends
   std::optional<RobotDescription> robot{};   ///< that wears the skin, where it was said
   std::vector<PatchPlacement> placements{};  ///< in ascending order of their origin cells
+  SkinSide side = SkinSide::Unknown;
 };
 
 /// The session while it is worked on: owned by one thread; every change makes a new revision.
@@ -100,6 +108,9 @@ class Session {
   /// Sets the link between two ports, in either order, aside or takes it back; `why` is kept while it is set aside. The
   /// link need not be in the topology. Throws InvalidArgument if both ends are the same port.
   void setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why = {});
+
+  [[nodiscard]] SkinSide side() const { return now_.side; }  ///< on the outside of a body or in a hollow
+  void setSide(SkinSide side);
 
   /// Throws InvalidArgument for a description that makes no sense.
   void setRobot(std::optional<RobotDescription> robot);

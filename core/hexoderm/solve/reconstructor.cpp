@@ -1,5 +1,6 @@
 #include "hexoderm/solve/reconstructor.h"
 
+#include "hexoderm/solve/estimate/fit_test.h"
 #include "hexoderm/solve/estimate/forecast.h"
 #include "hexoderm/solve/estimate/patch_description.h"
 #include "hexoderm/solve/estimate/skin_description.h"
@@ -25,6 +26,7 @@ std::vector<Finding> findingsOf(const Estimate& estimate) {
       nameUnconverged(estimate.skin().graph().cells()[patch.origin()].id, patch.joint()->solution(), findings);
     }
     nameUnlikelySensors(estimate.skin(), estimate.patches(), findings);
+    namePoorFit(estimate.skin(), estimate.patches(), findings);
   }
   addConsequences(estimate.skin(), findings);
   return findings;
@@ -39,6 +41,7 @@ std::shared_ptr<Reconstruction> describe(const Estimate& estimate) {
   result->findings = std::move(findings);
   judgePoses(*result, result->findings);
   result->assessment = assess(*result, forecast);
+  if (result->assessment.level == VerdictLevel::NotTrusted) withdrawUncertainties(*result);
   if (std::optional<Finding> open = describeTooFewDirections(*result)) result->findings.push_back(std::move(*open));
   return result;
 }

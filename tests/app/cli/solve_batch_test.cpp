@@ -63,7 +63,7 @@ TEST_F(CliBatch, WhatFailsIsNamedAndTheOthersGoOn) {
   writeFileAtomically(path("broken.session.json"), R"({"format": "hexoderm-session", "version": 1, "cells": [)");
   EXPECT_THAT(errorOf("solve a.session.json z.session.json -o out", 0), IsEmpty());
   EXPECT_THAT(outputOf("solve a.session.json one_pose.session.json -o out", 1),
-              HasSubstr("2 sessions: 1 good or usable, 1 not enough or failed, 0 with an error"));
+              HasSubstr("2 sessions: 1 good, usable or coarse, 1 not enough, not trusted or failed, 0 with an error"));
   EXPECT_TRUE(exists("out/one_pose.calibration.json")) << "it is written all the same";
 
   std::filesystem::remove_all(path("out"));

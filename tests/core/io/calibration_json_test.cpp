@@ -35,6 +35,7 @@ Reconstruction richCalibration() {
   result.options.gap_model = GapModel::Arc;
   result.options.max_misfit = 4.5;
   result.options.max_opening = 20;
+  result.options.goal = {1.5e-3, 0.02};
   result.options.left_out = {CellId(5), CellId(2)};
   PatchReconstruction& patch = result.patches.at(0);
   patch.gap_share = {1.0 / 3, 0.123456789};

@@ -50,9 +50,7 @@ std::optional<Forecast> forecastOf(const SkinLinks& skin, std::span<const PatchS
   if (joint == nullptr || joint->poses().empty()) return std::nullopt;
   Forecast forecast;
   forecast.now = worstOf(skin, *largest, covariancesOf(*largest));
-  if (forecast.now.orientation_rad <= kGoodOrientation_rad && forecast.now.position_m <= kGoodPosition_m) {
-    return std::nullopt;
-  }
+  if (meets(forecast.now, skin.options().goal)) return std::nullopt;
   const PoseAdvice advice = adviseNextPose(skin.model(), forceDirections(*joint));
   forecast.with_pose = worstOf(skin, *largest, joint->covariancesWithPose(advice.up));
   findLackingReadings(skin, *largest, forecast);

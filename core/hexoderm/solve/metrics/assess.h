@@ -15,6 +15,14 @@ namespace hexoderm {
 /// The first of the most severe findings: what to look at before anything else. Null if none is a warning or an error.
 const Finding* worstFinding(const Reconstruction& reconstruction);
 
+/// A finding by which the model of the patch of its cells (of all patches, where it names none) is wrong as a whole:
+/// what is stated of it by that model means nothing.
+bool refutesModel(FindingCode code);
+
+/// Takes back what a result that is not to be trusted states about the uncertainty of its cells: of the patches that a
+/// finding refutes, or of all where none does alone.
+void withdrawUncertainties(Reconstruction& reconstruction);
+
 /// The uncertainty of the worst of the measured cells; cells placed through their links are named by findings of their
 /// own. Of all cells if none was measured.
 Uncertainty95 worstUncertainty(const PatchReconstruction& patch);
@@ -36,9 +44,10 @@ struct Forecast {
   std::vector<PoseId> retake;       ///< the poses in which they lack them
 };
 
-/// Results that are less certain than this are not good.
-inline constexpr double kGoodOrientation_rad = 2 * kDegree;
-inline constexpr double kGoodPosition_m = 3 * kMillimetre;
+/// Neither is above the goal.
+inline bool meets(const Uncertainty95& known, const Goal& goal) {
+  return known.orientation_rad <= goal.orientation_rad && known.position_m <= goal.position_m;
+}
 
 /// Assesses a finished reconstruction; it needs everything else of it to be in place. Made of the covariance of the
 /// estimate and of findings alone: the number of poses does not matter, what they tell does.

@@ -269,6 +269,7 @@ std::optional<NextPose> describeNextPose(const PoseAdvice& advice, const Reconst
     if (opposite != patch->gravity.end()) next.opposite_of = opposite->pose;
   }
   next.worthwhile = reconstruction.assessment.wantsPose();
+  next.goal = reconstruction.options.goal;
   next.is_good = reconstruction.assessment.level == VerdictLevel::Good;
   return next;
 }

@@ -136,6 +136,7 @@ struct NextPose {
   double sigma_now_rad = 0;           ///< see PoseAdvice
   double sigma_then_rad = 0;
   bool worthwhile = true;  ///< Assessment::wantsPose()
+  Goal goal;               ///< of the result
   bool is_good = false;    ///< the result is good as it is, though a pose may make it better still
 
   /// Whether the pose is needed: it is neither the first, which may be any, nor beyond the ones that are enough.

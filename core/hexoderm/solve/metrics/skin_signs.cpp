@@ -5,9 +5,7 @@
 #include <unordered_map>
 
 namespace hexoderm {
-namespace {
 
-/// About the readings of single cells, which are all that Finding::cells names.
 bool isAboutCells(FindingCode code) {
   using enum FindingCode;
   constexpr std::array kAboutCells = {NoSamples,       DeadSensor,   StuckSensor, SaturatedSensor,    NoisySensor,
@@ -15,6 +13,8 @@ bool isAboutCells(FindingCode code) {
                                       SwappedReadings, TurnedSensor, MovedCell,   SuspiciousSensor};
   return std::ranges::find(kAboutCells, code) != kAboutCells.end();
 }
+
+namespace {
 
 bool isAboutALink(const Finding& finding) { return finding.cells.size() == 2 && finding.ports.size() == 2; }
 

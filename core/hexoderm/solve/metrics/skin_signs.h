@@ -7,6 +7,9 @@
 
 namespace hexoderm {
 
+/// About the readings of single cells, which are all that Finding::cells names.
+bool isAboutCells(FindingCode code);
+
 /// What the findings hold against a cell, and how it was placed; for signs in pictures.
 struct CellSign {
   bool by_links = false;  ///< placed through its links alone: its own readings say nothing

@@ -10,8 +10,15 @@
 namespace hexoderm {
 
 /// How good a calibration is.
-enum class VerdictLevel { Good, Usable, NotEnough, Failed };
-std::string_view verdictName(VerdictLevel level);                    ///< "good", "usable", "not_enough", "failed"
+enum class VerdictLevel {
+  Good,        ///< every measured cell is known to the goal (SolverOptions::goal), and nothing was found
+  Usable,      ///< known to three times the goal, or something was found
+  Coarse,      ///< less well known
+  NotEnough,   ///< what was measured leaves the cells' places open
+  NotTrusted,  ///< what was measured contradicts the model: no uncertainty is stated
+  Failed,      ///< most cells are linked to no other, or have no readings
+};
+std::string_view verdictName(VerdictLevel level);                    ///< "good", ..., "not_enough", ..., as in files
 std::optional<VerdictLevel> verdictFromName(std::string_view name);  ///< nothing for a name that is none
 
 /// What keeps a result from being better than it is.
@@ -45,15 +52,15 @@ struct Assessment {
   VerdictLevel level = VerdictLevel::Failed;
   Message reason;                              ///< one sentence or a few
   std::optional<double> position_95_m{};       ///< at the worst measured cell, relative to its origin
-  std::optional<double> orientation_95_rad{};  ///< absent if they are not known
+  std::optional<double> orientation_95_rad{};  ///< absent if they are not known, and of NotTrusted
   Limit limit = Limit::Nothing;
   std::vector<CellId> limiting_cells{};  ///< Readings: the cells that lack some
   Remedy remedy = Remedy::Nothing;
   Message next_action;           ///< one sentence or two
   std::vector<PoseId> retake{};  ///< RetakePoses
 
-  /// Robot software can use it: the level is good or usable.
-  [[nodiscard]] bool isUsable() const { return level == VerdictLevel::Good || level == VerdictLevel::Usable; }
+  /// Robot software can use it: the level is good, usable or coarse.
+  [[nodiscard]] bool isUsable() const { return level <= VerdictLevel::Coarse; }
   /// The part should be held still once more, in a new direction or an old one.
   [[nodiscard]] bool wantsPose() const { return remedy == Remedy::TakePose || remedy == Remedy::RetakePoses; }
 };

@@ -9,7 +9,7 @@
 namespace hexoderm {
 namespace {
 
-constexpr EnumNames<VerdictLevel> kVerdicts = {{"good", "usable", "not_enough", "failed"}};
+constexpr EnumNames<VerdictLevel> kVerdicts = {{"good", "usable", "coarse", "not_enough", "not_trusted", "failed"}};
 constexpr EnumNames<Limit> kLimits = {
     {"nothing", "no_skin", "no_pose", "directions", "readings", "mould", "patches", "findings"}};
 constexpr EnumNames<Remedy> kRemedies = {{"nothing", "check_skin", "take_pose", "retake_poses"}};

@@ -58,6 +58,8 @@ void SolverOptions::validate() const {
   inRange(max_yaw_rad, 0, kHalfTurn, "largest yaw");
   inRange(max_misfit, 0, 1e6, "largest misfit");
   inRange(max_opening, 0, 1e6, "largest opening");
+  inRange(toMillimetres(goal.position_m), 0, toMillimetres(kMaxGoal.position_m), "goal of the position, mm,");
+  inRange(toDegrees(goal.orientation_rad), 0, toDegrees(kMaxGoal.orientation_rad), "goal of the orientation, degrees,");
 }
 
 std::span<const SolverChoice> solverChoices() { return kChoices; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hexoderm/base/ids.h"
+#include "hexoderm/base/units.h"
 
 #include <span>
 #include <string_view>
@@ -29,6 +30,15 @@ enum class LinkWeights { Paper, Residual };
 /// SolverOptions::class_threshold is above 0 and at most this.
 inline constexpr double kMaxClassThreshold = 1000;
 
+/// How well every measured cell is to be known, with 95 %, for a result to be good. SolverOptions::goal is above 0, and
+/// at most 1 m and 20 degrees.
+struct Goal {
+  double position_m = 3 * kMillimetre;
+  double orientation_rad = 2 * kDegree;
+  friend bool operator==(const Goal&, const Goal&) = default;
+};
+inline constexpr Goal kMaxGoal{1, 20 * kDegree};
+
 /// How a session is solved; the defaults suit every skin.
 struct SolverOptions {
   Solver solver = Solver::Global;
@@ -51,6 +61,7 @@ struct SolverOptions {
   /// A link is no skin link if, solved with all others, its ends lie further apart than this many of the cell model's
   /// link_sigma_m.
   double max_opening = 15.0;
+  Goal goal;  ///< the verdict compares the result with it; the estimate does not depend on it
   /// Cells whose readings are not to be used; they are placed through their links.
   std::vector<CellId> left_out;
 

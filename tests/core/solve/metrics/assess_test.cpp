@@ -37,6 +37,7 @@ Reconstruction resultWith(const Uncertainty95& worst) {
 
 constexpr Uncertainty95 kPrecise{1 * kMillimetre, 1 * kDegree};
 constexpr Uncertainty95 kRough{2 * kMillimetre, 5 * kDegree};
+constexpr Uncertainty95 kCoarse{2 * kMillimetre, 7 * kDegree};
 constexpr Uncertainty95 kUseless{9 * kMillimetre, 40 * kDegree};
 
 Forecast forecastOf(const Uncertainty95& now, double share_with_pose) {
@@ -129,7 +130,78 @@ TEST(Assess, ReadingsThatLackAreNamedAndTakenAgainWhereThatHelpsMost) {
   EXPECT_EQ(assess(resultWith(kUseless), forecast).remedy, Remedy::TakePose);
 }
 
-TEST(Assess, SeveralPatchesAreNeverGoodAndAreSaid) {
+TEST(Assess, TheGoalDecidesWhatIsGoodUsableAndCoarse) {
+  EXPECT_EQ(assess(resultWith(kRough), {}).level, VerdictLevel::Usable);
+  Reconstruction result = resultWith(kCoarse);
+  const Assessment coarse = assess(result, {});
+  EXPECT_EQ(coarse.level, VerdictLevel::Coarse);
+  EXPECT_TRUE(coarse.isUsable());
+  EXPECT_THAT(coarse.reason.english(), StartsWith("Coarse: ±2.0 mm, ±7.0°"));
+  result.options.goal = {1 * kMillimetre, 3 * kDegree};
+  EXPECT_EQ(assess(result, {}).level, VerdictLevel::Usable);
+  result.options.goal = {2.1 * kMillimetre, 7.1 * kDegree};
+  EXPECT_THAT(assess(result, {}), IsVerdict(VerdictLevel::Good, Limit::Nothing, Remedy::Nothing));
+}
+
+TEST(Assess, AFindingThatRefutesTheModelLeavesNothingToTrust) {
+  Reconstruction result = resultWith(kPrecise);
+  result.patches.push_back(patchWith(kPrecise, 11));
+  result.findings = {
+      makeFinding(FindingCode::ContradictsModel, Message::verbatim("The axes are wrong."), {CellId(1), CellId(2)})};
+  result.assessment = assess(result, {});
+  EXPECT_THAT(result.assessment, IsVerdict(VerdictLevel::NotTrusted, Limit::Findings, Remedy::CheckSkin));
+  EXPECT_THAT(result.assessment.reason.english(), StartsWith("Not to be trusted: The axes are wrong."));
+  EXPECT_FALSE(result.assessment.position_95_m || result.assessment.orientation_95_rad);
+  EXPECT_FALSE(result.assessment.isUsable());
+  withdrawUncertainties(result);
+  EXPECT_FALSE(result.patches[0].cells[2].cov_t_r);
+  EXPECT_TRUE(result.patches[1].cells[2].cov_t_r) << "another patch";
+}
+
+TEST(Assess, AThirdOfTheCellsAccusedIsNotToBeTrusted) {
+  Reconstruction result = resultWith(kPrecise);
+  result.patches.push_back(patchWith(kPrecise, 11));
+  const auto accuse = [&](std::uint32_t cell) {
+    result.findings.push_back(makeFinding(FindingCode::TurnedSensor, Message::verbatim("Turned."), {CellId(cell)}));
+    return assess(result, {}).level;
+  };
+  EXPECT_EQ(accuse(2), VerdictLevel::Usable);
+  EXPECT_EQ(accuse(3), VerdictLevel::NotTrusted) << "two of six";
+}
+
+TEST(Assess, ASkinThatFellApartWithoutAReasonIsNotToBeTrusted) {
+  Reconstruction result = resultWith(kPrecise);
+  result.patches.push_back(patchWith(kPrecise, 11));
+  const auto split = [&](std::uint32_t links, FindingCode why) {
+    result.patches[0].links.clear();
+    for (std::uint32_t k = 0; k < links; ++k) {
+      LinkEstimate& link = result.patches[0].links.emplace_back();
+      link.source = {CellId(1 + k % 3), PortNumber(1 + k / 3)};
+      link.target = {CellId(11 + k % 3), PortNumber(1 + k / 3)};
+      link.muted_by = why;
+    }
+    return assess(result, {}).level;
+  };
+  EXPECT_EQ(split(3, FindingCode::ImplausibleYaw), VerdictLevel::Usable) << "a few links may be cables";
+  EXPECT_EQ(split(4, FindingCode::ImplausibleYaw), VerdictLevel::NotTrusted);
+  EXPECT_EQ(split(4, FindingCode::BodyPartBoundary), VerdictLevel::Good) << "a known joint is no missing link";
+  EXPECT_THAT(assess(result, {}).reason.english(),
+              HasSubstr("The 2 patches, which a joint or the robot holds together"));
+}
+
+TEST(Assess, PatchesThatAreOnTheRobotLackNoLink) {
+  Reconstruction result = resultWith(kPrecise);
+  result.patches.push_back(patchWith(kPrecise, 11));
+  result.placements.resize(2);
+  result.placements[0].origin = CellId(1);
+  result.placements[0].place.emplace();
+  result.placements[1].origin = CellId(11);
+  EXPECT_EQ(assess(result, {}).limit, Limit::Patches) << "one of them is on no link";
+  result.placements[1].place.emplace();
+  EXPECT_THAT(assess(result, {}), IsVerdict(VerdictLevel::Good, Limit::Nothing, Remedy::Nothing));
+}
+
+TEST(Assess, SeveralPatchesThatNothingJoinsAreNeverGoodAndAreSaid) {
   Reconstruction result = resultWith(kPrecise);
   result.patches.push_back(patchWith(kPrecise, 10));
   const Assessment assessment = assess(result, {});
