@@ -1,6 +1,7 @@
 #include "hexoderm/solve/solve.h"
 
 #include "hexoderm/solve/explain/explainer.h"
+#include "hexoderm/solve/faults/tears.h"
 
 #include <array>
 #include <span>
@@ -18,6 +19,7 @@ Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, co
     if (estimate.bringTo(explainer.needs, stop) == Completion::Stopped) return Answer::Stopped;
     if (progress != nullptr && explainer.needs == Estimate::Stage::Patches) progress->enter(SolveStage::Findings);
     if (std::optional<Explanation> explanation = explainer.explain(estimate)) {
+      foldTears(estimate.skin(), *explanation);
       estimate.exclude(std::move(*explanation));
       return Answer::Explained;
     }
@@ -38,8 +40,8 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
   // Those that need least of the estimate first.
-  const std::array explainers = {makeNeighborExplainer(), makeMisfitExplainer(), makeOpenLinkExplainer(),
-                                 makeAttitudeExplainer()};
+  const std::array explainers = {makeNeighborExplainer(), makeTearExplainer(), makeMisfitExplainer(),
+                                 makeOpenLinkExplainer(), makeAttitudeExplainer()};
   Answer answer{};
   do {
     // Lines 9 and 10, rotations of links and their weights (Stage::Links), and 11 to 15, origins, paths and placements

@@ -20,6 +20,10 @@ struct Explainer {
 /// suspicious and stays, and so do its links.
 Explainer makeNeighborExplainer();
 
+/// By the joint estimate: a tear through the link that leaves its loops open the most (tearThrough()). Weighed before
+/// cells and links beside it, which a torn patch strains.
+Explainer makeTearExplainer();
+
 /// By the joint estimate: the cell whose readings fit the gravity of all others worst, in whatever position, or which
 /// turned against them between two poses.
 Explainer makeMisfitExplainer();
