@@ -368,6 +368,16 @@ std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction
   return seen;
 }
 
+bool lieAlongOneLine(std::span<const Eigen::Vector3d> directions) {
+  constexpr double kAcross = 10 * kDegree;
+  if (directions.size() < 2) return false;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& direction : directions) sum += direction * direction.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum, Eigen::EigenvaluesOnly);
+  const double along = solver.eigenvalues()[2] / sum.trace();
+  return along > std::pow(std::cos(kAcross), 2);
+}
+
 Message adviceText(const PoseAdvice& advice, const Reconstruction& reconstruction) {
   const PatchReconstruction* patch = largestPatch(reconstruction);
   if (patch == nullptr) return {};

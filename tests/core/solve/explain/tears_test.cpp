@@ -59,5 +59,22 @@ TEST(TornSkin, IsNotSaidOfOneCableInAChain) {
   EXPECT_THAT(aboveInfo(*result), ElementsAre(Field(&Finding::code, FindingCode::LinkNotRigid)));
 }
 
+TEST(DirectionsAlongOneLine, AccuseNobodyAndAreSaidToBeTooFew) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+    SimulatedSkin skin = test::simulatedSkin(test::skinOptions("sheet:5x5", "cylinder:r=0.08", seed));
+    Session session = beginSimulatedSession(skin);
+    const Eigen::Vector3d up = Eigen::Vector3d(0.4, -0.9, 0.1).normalized();
+    for (const double sign : {1.0, -1.0, 1.0, -1.0}) {
+      const PoseId id = session.nextPoseId();
+      session.addPose(
+          {std::make_shared<const PoseCapture>(averageFrames(skin.record(sign * up, 100), id, message("pose {}", id))),
+           false});
+    }
+    const auto result = reconstruct(*session.snapshot());
+    EXPECT_THAT(aboveInfo(*result), ElementsAre(Field(&Finding::code, FindingCode::TooFewDirections))) << seed;
+    EXPECT_EQ(result->assessment.level, VerdictLevel::NotEnough);
+  }
+}
+
 }  // namespace
 }  // namespace hexoderm
