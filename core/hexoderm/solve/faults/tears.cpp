@@ -61,6 +61,30 @@ void settle(const SkinGraph& graph, std::span<const double> deviations, std::vec
   }
 }
 
+bool isBesideTear(const SkinGraph& graph, std::span<const TearSide> side, std::size_t cell) {
+  return std::ranges::any_of(graph.linksAt(cell), [&](std::size_t k) {
+    const TearSide other = side[graph.links()[k].other(cell)];
+    return !graph.links()[k].muted() && other != TearSide::Neither && other != side[cell];
+  });
+}
+
+/// Gives a side to cells that nothing but odd links joins to a tear's: the one that fewer of these lead to.
+void addTornOff(const SkinGraph& graph, std::vector<TearSide>& side) {
+  const std::vector<TearSide> before = side;
+  for (std::size_t cell = 0; cell < side.size(); ++cell) {
+    if (before[cell] != TearSide::Neither) continue;
+    int to_source = 0;
+    bool is_beside = false;
+    for (const std::size_t k : graph.linksAt(cell)) {
+      const std::size_t other = graph.links()[k].other(cell);
+      if (graph.links()[k].muted() || before[other] == TearSide::Neither) continue;
+      to_source += before[other] == TearSide::Source ? 1 : -1;
+      is_beside = is_beside || isBesideTear(graph, before, other);
+    }
+    if (is_beside && to_source != 0) side[cell] = to_source > 0 ? TearSide::Target : TearSide::Source;
+  }
+}
+
 /// Whoever walks along the links, no further than a link away from them, comes from one to all others.
 bool lieSideBySide(const SkinGraph& graph, std::span<const std::size_t> links) {
   std::vector<bool> is_beside(graph.cells().size(), false);
@@ -131,6 +155,7 @@ std::vector<std::size_t> tearThrough(const SkinLinks& skin, std::size_t link, st
   const SkinGraph& graph = skin.graph();
   std::vector<TearSide> side = sidesOf(graph, graph.links()[link], deviations);
   settle(graph, deviations, side);
+  addTornOff(graph, side);
   std::vector<std::size_t> links;
   std::size_t odd_links = 0;
   for (std::size_t k = 0; k < graph.links().size(); ++k) {

@@ -41,7 +41,7 @@ TEST(TornSkin, IsOneFindingThatNamesTheLinksAcrossTheTearAndNoOthers) {
     const std::set<CellId> far = farSide(options);
     const Finding& tear = findings.front();
     ASSERT_EQ(tear.cells.size(), tear.ports.size());
-    ASSERT_EQ(result->patches.size(), 2U);
+    EXPECT_GE(result->patches.size(), 2U);
     for (std::size_t k = 0; k < tear.cells.size(); k += 2) {
       EXPECT_NE(far.contains(tear.cells[k]), far.contains(tear.cells[k + 1]));
       const LinkEstimate* link =
@@ -54,7 +54,7 @@ TEST(TornSkin, IsOneFindingThatNamesTheLinksAcrossTheTearAndNoOthers) {
 
 TEST(TornSkin, IsNotSaidOfOneCableInAChain) {
   SimulatedSkinOptions options = test::skinOptions("ring8", "", 2);
-  options.link_faults = {{LinkFaultKind::Joint, {CellId(4), PortNumber(1)}}};
+  options.link_faults = {{LinkFaultKind::Joint, {CellId(4), PortNumber(2)}}};
   const auto result = reconstruct(*test::simulatedSession(options, 4).snapshot());
   EXPECT_THAT(aboveInfo(*result), ElementsAre(Field(&Finding::code, FindingCode::LinkNotRigid)));
 }
