@@ -165,9 +165,15 @@ QString findingToolTip(const Finding& finding) {
 QString excludedBecause(const Reconstruction& reconstruction, const LinkEstimate& link) {
   if (!link.used && link.muted_by) {
     const auto isAboutIt = [&](const Finding& finding) {
-      return finding.code == *link.muted_by && finding.cells.size() >= 2 && finding.ports.size() >= 2 &&
-             LinkEnd{finding.cells[0], finding.ports[0]} == link.source &&
-             LinkEnd{finding.cells[1], finding.ports[1]} == link.target;
+      if (finding.code != *link.muted_by) return false;
+      const std::size_t ends = std::min(finding.cells.size(), finding.ports.size());
+      for (std::size_t k = 0; k + 1 < ends; k += 2) {
+        if (LinkEnd{finding.cells[k], finding.ports[k]} == link.source &&
+            LinkEnd{finding.cells[k + 1], finding.ports[k + 1]} == link.target) {
+          return true;
+        }
+      }
+      return false;
     };
     const auto found = std::ranges::find_if(reconstruction.findings, isAboutIt);
     if (found != reconstruction.findings.end()) return words(found->message);

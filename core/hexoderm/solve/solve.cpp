@@ -1,7 +1,9 @@
 #include "hexoderm/solve/solve.h"
 
 #include "hexoderm/solve/explain/explainer.h"
+#include "hexoderm/solve/faults/tears.h"
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <utility>
@@ -11,13 +13,49 @@ namespace {
 
 enum class Answer { Explained, NothingLeft, Stopped };
 
+/// How many explanations of placed patches are looked for, each of which costs a solution of the patch: enough for a
+/// skin with some faults, and no more than a large one without a sound model would get anyway.
+class Rounds {
+ public:
+  explicit Rounds(const SkinGraph& graph)
+      : most_(std::max(kFewest, kCells / std::max<std::size_t>(1, graph.cells().size()))) {}
+
+  void count(const Explainer& explainer, const Explanation& explanation) {
+    if (explainer.needs == Estimate::Stage::Patches && explanation.excludes()) ++used_;
+  }
+  [[nodiscard]] bool areOver() const { return used_ >= most_; }
+
+ private:
+  static constexpr std::size_t kFewest = 8;
+  static constexpr std::size_t kCells = 4000;  ///< a small skin is solved in no time
+
+  std::size_t most_;
+  std::size_t used_ = 0;
+};
+
+Finding describeTooManyFaults(std::size_t faults) {
+  return makeFinding(
+      FindingCode::PoorFit,
+      message("After {} findings the readings still do not fit the model, and the search was ended: there "
+              "is one cause behind them that it does not know, or most of the skin is faulty.",
+              faults));
+}
+
 /// Excludes from the estimate what the first explainer finds that finds anything.
-Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, const std::stop_token& stop,
-                   SolveProgress* progress) {
+Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, Rounds& rounds,
+                   const std::stop_token& stop, SolveProgress* progress) {
   for (const Explainer& explainer : explainers) {
     if (estimate.bringTo(explainer.needs, stop) == Completion::Stopped) return Answer::Stopped;
     if (progress != nullptr && explainer.needs == Estimate::Stage::Patches) progress->enter(SolveStage::Findings);
     if (std::optional<Explanation> explanation = explainer.explain(estimate)) {
+      foldTears(estimate.skin(), *explanation);
+      if (rounds.areOver() && explanation->excludes()) {
+        Explanation end;
+        end.findings.push_back(describeTooManyFaults(estimate.findings().size()));
+        estimate.exclude(std::move(end));
+        return Answer::NothingLeft;
+      }
+      rounds.count(explainer, *explanation);
       estimate.exclude(std::move(*explanation));
       return Answer::Explained;
     }
@@ -38,13 +76,14 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
   // Those that need least of the estimate first.
-  const std::array explainers = {makeNeighborExplainer(), makeMisfitExplainer(), makeOpenLinkExplainer(),
-                                 makeAttitudeExplainer()};
+  const std::array explainers = {makeNeighborExplainer(), makeTearExplainer(), makeMisfitExplainer(),
+                                 makeOpenLinkExplainer(), makeAttitudeExplainer()};
+  Rounds rounds(estimate->skin().graph());
   Answer answer{};
   do {
     // Lines 9 and 10, rotations of links and their weights (Stage::Links), and 11 to 15, origins, paths and placements
     // (Stage::Patches), as far as an explainer needs them.
-    answer = explainOnce(*estimate, explainers, stop, progress);
+    answer = explainOnce(*estimate, explainers, rounds, stop, progress);
   } while (answer == Answer::Explained);
   if (answer == Answer::Stopped) return nullptr;
   estimate->reportPlacements(stop);

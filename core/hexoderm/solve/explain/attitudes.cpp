@@ -3,6 +3,7 @@
 #include "hexoderm/solve/faults/attitude_search.h"
 #include "hexoderm/solve/faults/link_plausibility.h"
 #include "hexoderm/solve/faults/suspects.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -42,6 +43,14 @@ std::vector<PatchForce> forcesOn(const SkinLinks& skin, const PatchSolver& patch
     if (sum.norm() > kNoDirection) forces.push_back({pose, sum.normalized()});
   }
   return forces;
+}
+
+/// How a cell is turned about the one line of gravity that was seen, no reading tells: angles beyond any limit mean
+/// nothing then.
+bool seesOneLine(std::span<const PatchForce> forces) {
+  std::vector<Eigen::Vector3d> directions;
+  for (const PatchForce& force : forces) directions.push_back(force.at_origin_o.normalized());
+  return lieAlongOneLine(directions);
 }
 
 /// What a hand that turned the part added to the readings, cell by cell, where that is beyond doubt: the tree takes
@@ -158,8 +167,10 @@ class Attitudes {
  private:
   void look(const SkinLinks& skin, const PatchSolver& patch, bool is_tree, Explanation& found) {
     const std::vector<SE3> placements = placementsOf(patch);
-    OwnAttitudes own = findOwnAttitudes(skin, patch.cells(), forcesOn(skin, patch, placements), placements,
-                                        is_tree ? nullptr : &patch.joint()->lot());
+    std::vector<PatchForce> forces = forcesOn(skin, patch, placements);
+    if (seesOneLine(forces)) return;
+    OwnAttitudes own =
+        findOwnAttitudes(skin, patch.cells(), std::move(forces), placements, is_tree ? nullptr : &patch.joint()->lot());
     bool is_faulty = false;
     if (!searched_) {
       // Only of a tree they are needed once more.

@@ -20,8 +20,12 @@ struct Explainer {
 /// suspicious and stays, and so do its links.
 Explainer makeNeighborExplainer();
 
-/// By the joint estimate: the cell whose readings fit the gravity of all others worst, in whatever position, or which
-/// turned against them between two poses.
+/// By the joint estimate: a tear through the link that leaves its loops open the most (tearThrough()). Weighed before
+/// cells and links beside it, which a torn patch strains.
+Explainer makeTearExplainer();
+
+/// By the joint estimate: in every patch the cell whose readings fit the gravity of all others worst, in whatever
+/// position, or which turned against them between two poses; and cells away from it that fit about as badly.
 Explainer makeMisfitExplainer();
 
 /// By the joint estimate: in every patch the link that leaves its loops open by more than askew cells can, a cable that

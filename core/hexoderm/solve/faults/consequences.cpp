@@ -17,7 +17,8 @@ using PatchPair = std::pair<PatchId, PatchId>;
 bool isAboutUsableLink(FindingCode code) {
   constexpr std::array kCodes = {FindingCode::ImplausibleBend,  FindingCode::ImplausibleTwist,
                                  FindingCode::ImplausibleYaw,   FindingCode::LinkNotRigid,
-                                 FindingCode::LinkDoesNotClose, FindingCode::LinkSetAside};
+                                 FindingCode::LinkDoesNotClose, FindingCode::LinkSetAside,
+                                 FindingCode::TornSkin};
   return std::ranges::count(kCodes, code) > 0;
 }
 
@@ -33,7 +34,7 @@ bool isAboutReadings(FindingCode code) {
 
 /// The patches at the two ends of the link that a finding muted, where these are two.
 std::optional<PatchPair> splitBy(const SkinGraph& graph, const Finding& finding) {
-  if (!isAboutUsableLink(finding.code) || finding.cells.size() != 2 || finding.ports.size() != 2) return std::nullopt;
+  if (!isAboutUsableLink(finding.code) || finding.cells.size() < 2 || finding.ports.size() < 2) return std::nullopt;
   const auto link = graph.indexOf({finding.cells[0], finding.ports[0]}, {finding.cells[1], finding.ports[1]});
   if (!link || graph.links()[*link].muted_by != finding.code) return std::nullopt;
   const PatchId source = graph.cells()[graph.links()[*link].source].patch;

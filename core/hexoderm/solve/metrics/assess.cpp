@@ -242,6 +242,10 @@ class Assessor {
       result_.level = VerdictLevel::NotEnough;
       result_.limit = Limit::NoPose;
       result_.remedy = Remedy::TakePose;
+    } else if (lieAlongOneLine(directionsSeen(r_))) {
+      result_.level = VerdictLevel::NotEnough;
+      result_.limit = Limit::Directions;
+      result_.remedy = Remedy::TakePose;
     } else if (worst_.orientation_rad > kUsableOrientation_rad) {
       result_.level = VerdictLevel::NotEnough;
       chooseLimit();

@@ -1,12 +1,14 @@
 #include "hexoderm/solve/metrics/pose_coverage.h"
 
-#include "hexoderm/solve/global/rigidity.h"
+#include "hexoderm/base/se3.h"
+#include "hexoderm/solve/global/accelerometer_fit.h"
 #include "hexoderm/solve/tree/edge_rotation.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hexoderm {
@@ -107,32 +109,66 @@ const char* axisName(const Eigen::Vector3d& up_o) {
   return up_o.y() > 0 ? "+y" : "-y";
 }
 
-/// Predicted uncertainty of an edge's rotation with these up directions: rms over the three axes, radians. The
-/// elastomer prior is taken alike in all directions, because the cells of a patch face many ways.
-double predictedSigma(const CellModel& model, const Eigen::Matrix3Xd& directions) {
-  // Averaging does not remove a hand's tremor, which is not white.
-  constexpr double kTremor_g = 0.003;
-  const double prior_sq = (model.bend_sigma_rad * model.bend_sigma_rad + model.twist_sigma_rad * model.twist_sigma_rad +
-                           model.yaw_sigma_rad * model.yaw_sigma_rad) /
-                          3;
-  std::vector<CellReading> readings;
-  std::vector<Eigen::Vector3d> forces;
-  for (Eigen::Index k = 0; k < directions.cols(); ++k) {
-    forces.emplace_back(directions.col(k));
-    readings.push_back({static_cast<std::size_t>(k), directions.col(k), kTremor_g * kTremor_g});
+/// What readings along up directions will say about an edge's rotation: sums over the directions, so that one more
+/// costs the same however many there are.
+class EdgeForecast {
+ public:
+  explicit EdgeForecast(const CellModel& model)
+      : sensor_(model.accelerometer.ofUnknownLot()),
+        // The elastomer prior is taken alike in all directions, because the cells of a patch face many ways.
+        prior_sq_((model.bend_sigma_rad * model.bend_sigma_rad + model.twist_sigma_rad * model.twist_sigma_rad +
+                   model.yaw_sigma_rad * model.yaw_sigma_rad) /
+                  3) {
+    for (auto& block : mixed_) block.setZero();
   }
-  AccelerometerFit fit;
-  fitAccelerometer(AccelerometerPrior(model.accelerometer.ofUnknownLot()), readings, forces, {}, fit);
-  // An edge joins two cells that err alike.
-  const Eigen::Matrix3d information = attitudeInformation(fit, forces) / 2 + Eigen::Matrix3d::Identity() / prior_sq;
-  return std::sqrt(information.inverse().trace() / 3);
-}
 
-/// Share of the directions that lies off their main line: the second singular value of eq. (17), as the solver has it.
-double secondDirection(const Eigen::Matrix3Xd& directions) {
-  if (directions.cols() == 0) return 0;
-  return Eigen::JacobiSVD<Eigen::Matrix3d>(directions * directions.transpose()).singularValues().y();
-}
+  [[nodiscard]] EdgeForecast with(const Eigen::Vector3d& up) const {
+    // Averaging does not remove a hand's tremor, which is not white.
+    constexpr double kTremor_g = 0.003;
+    constexpr double kPrecision = 1 / (kTremor_g * kTremor_g);
+    EdgeForecast more = *this;
+    const Eigen::Vector4d row(1, up.x(), up.y(), up.z());
+    const Eigen::Matrix3d J = skew(up);
+    more.normal_ += kPrecision * row * row.transpose();
+    more.information_ += kPrecision * J.transpose() * J;
+    for (int axis = 0; axis < 3; ++axis) {
+      more.mixed_[static_cast<std::size_t>(axis)] += kPrecision * row * J.row(axis);
+    }
+    more.directions_ += up * up.transpose();
+    return more;
+  }
+
+  /// Predicted uncertainty of the rotation: rms over the three axes, radians.
+  [[nodiscard]] double sigma() const {
+    Eigen::Matrix3d information = information_;
+    for (int axis = 0; axis < 3; ++axis) {
+      // The errors of the sensor, eliminated.
+      Eigen::Matrix4d of_sensor = normal_;
+      of_sensor.diagonal() += sensor_.precision(axis);
+      const auto& mixed = mixed_[static_cast<std::size_t>(axis)];
+      const Eigen::Matrix<double, 4, 3> root = rootOfInverse(of_sensor).transpose() * mixed;
+      information -= root.transpose() * root;
+    }
+    // An edge joins two cells that err alike.
+    const Eigen::Matrix3d of_edge = information / 2 + Eigen::Matrix3d::Identity() / prior_sq_;
+    return std::sqrt(of_edge.inverse().trace() / 3);
+  }
+
+  /// Share of the directions that lies off their main line: the second singular value of eq. (17), as the solver has
+  /// it.
+  [[nodiscard]] double secondDirection() const {
+    return Eigen::JacobiSVD<Eigen::Matrix3d>(directions_).singularValues().y();
+  }
+
+ private:
+  AccelerometerPrior sensor_;
+  double prior_sq_;
+  Eigen::Matrix4d normal_ = Eigen::Matrix4d::Zero();
+  Eigen::Matrix3d information_ = Eigen::Matrix3d::Zero();
+  std::array<Eigen::Matrix<double, 4, 3>, 3> mixed_;
+  Eigen::Matrix3d directions_ = Eigen::Matrix3d::Zero();
+};
+
 constexpr double kDefined = 0.5;
 constexpr double kClearlyDefined = 0.9;
 
@@ -298,27 +334,25 @@ Message poseLabel(const Reconstruction& reconstruction, const PoseCapture& captu
 PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vector3d>& seen,
                           const std::vector<Eigen::Vector3d>& unreachable) {
   constexpr double kOutOfReach = 30 * kDegree;
-  const auto count = static_cast<Eigen::Index>(seen.size());
-  Eigen::Matrix3Xd directions(3, count + 1);
-  for (Eigen::Index k = 0; k < count; ++k) directions.col(k) = seen[static_cast<std::size_t>(k)];
-  directions.col(count) = Eigen::Vector3d::UnitZ();
+  EdgeForecast now(model);
+  for (const Eigen::Vector3d& up : seen) now = now.with(up);
 
   PoseAdvice advice;
-  advice.sigma_now_rad = predictedSigma(model, directions.leftCols(count));
-  advice.sigma_then_rad = predictedSigma(model, directions);
+  advice.sigma_now_rad = now.sigma();
+  advice.sigma_then_rad = now.with(advice.up).sigma();
   if (seen.empty() && unreachable.empty()) return advice;
   bool found = false;
-  const bool one_line = !seen.empty() && secondDirection(directions.leftCols(count)) < kDefined;
+  const bool one_line = !seen.empty() && now.secondDirection() < kDefined;
   for (const Eigen::Vector3d& candidate : sphereCandidates()) {
     const bool out_of_reach = std::ranges::any_of(unreachable, [&](const Eigen::Vector3d& direction) {
       return angleBetween(candidate, direction) < kOutOfReach;
     });
     if (out_of_reach) continue;
-    directions.col(count) = candidate;
+    const EdgeForecast then = now.with(candidate);
     // To first order two poses 45 degrees apart suffer least from offsets, but leave the turn about their middle to a
     // single small angle: as long as all directions lie on one line, one that leaves this line comes first.
-    if (one_line && secondDirection(directions) < kClearlyDefined) continue;
-    const double sigma = predictedSigma(model, directions);
+    if (one_line && then.secondDirection() < kClearlyDefined) continue;
+    const double sigma = then.sigma();
     if (found && sigma >= advice.sigma_then_rad) continue;
     found = true;
     advice.sigma_then_rad = sigma;
@@ -333,6 +367,16 @@ std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction
   if (largest == nullptr) return seen;
   for (const GravityDirection& gravity : largest->gravity) seen.push_back(gravity.g_o);
   return seen;
+}
+
+bool lieAlongOneLine(std::span<const Eigen::Vector3d> directions) {
+  constexpr double kAcross = 10 * kDegree;
+  if (directions.size() < 2) return false;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& direction : directions) sum += direction * direction.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum, Eigen::EigenvaluesOnly);
+  const double along = solver.eigenvalues()[2] / sum.trace();
+  return along > std::pow(std::cos(kAcross), 2);
 }
 
 Message adviceText(const PoseAdvice& advice, const Reconstruction& reconstruction) {

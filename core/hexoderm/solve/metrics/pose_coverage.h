@@ -31,6 +31,10 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
 /// The up directions of the poses so far in the frame of the largest patch, for adviseNextPose(); none without a patch.
 std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction);
 
+/// At least two directions (unit) are known, and all lie along one line, within 10 degrees of it (rms): how cells are
+/// turned about that line is not known.
+bool lieAlongOneLine(std::span<const Eigen::Vector3d> directions);
+
 /// "Turn the part so that cell 7 faces the floor": the cell of the largest patch whose front points most exactly up or
 /// down when `advice` is followed. Empty if there is no patch.
 Message adviceText(const PoseAdvice& advice, const Reconstruction& reconstruction);

@@ -16,7 +16,11 @@ bool isAboutCells(FindingCode code) {
 
 namespace {
 
-bool isAboutALink(const Finding& finding) { return finding.cells.size() == 2 && finding.ports.size() == 2; }
+/// Its cells and ports are the ends of one link, or of the links of a tear one after the other.
+bool isAboutLinks(const Finding& finding) {
+  return (finding.cells.size() == 2 || finding.code == FindingCode::TornSkin) &&
+         finding.ports.size() == finding.cells.size();
+}
 
 }  // namespace
 
@@ -38,11 +42,13 @@ SkinSigns signsOf(const Reconstruction& reconstruction) {
   }
   for (const Finding& finding : reconstruction.findings) {
     if (finding.severity == Severity::Info) continue;
-    if (isAboutALink(finding)) {
-      const LinkEnd a{finding.cells[0], finding.ports[0]};
-      const LinkEnd b{finding.cells[1], finding.ports[1]};
-      const LinkEstimate* link = reconstruction.findLink(a, b);
-      if (link != nullptr) signs.links.emplace_back(link->source, link->target);
+    if (isAboutLinks(finding)) {
+      for (std::size_t k = 0; k + 1 < finding.cells.size(); k += 2) {
+        const LinkEnd a{finding.cells[k], finding.ports[k]};
+        const LinkEnd b{finding.cells[k + 1], finding.ports[k + 1]};
+        const LinkEstimate* link = reconstruction.findLink(a, b);
+        if (link != nullptr) signs.links.emplace_back(link->source, link->target);
+      }
     } else if (isAboutCells(finding.code)) {
       for (const CellId cell : finding.cells) {
         const auto found = index.find(cell);

@@ -1,6 +1,7 @@
 #include "hexoderm/solve/metrics/pose_coverage.h"
 
 #include "hexoderm/base/units.h"
+#include "hexoderm/solve/global/rigidity.h"
 #include "hexoderm/solve/reconstructor.h"
 #include "tests/support/matchers.h"
 #include "tests/support/pin_jointed_skin.h"
@@ -201,6 +202,31 @@ TEST(PoseAdvisor, EveryAdvisedPoseHelpsLessThanTheOneBefore) {
     seen.push_back(advice.up);
   }
   EXPECT_LT(toDegrees(sigma), 2.5);
+}
+
+TEST(PoseAdvisor, StatesWhatAFitOfTheReadingsLeavesOpen) {
+  const Ups ups = {Eigen::Vector3d::UnitZ(), Eigen::Vector3d(1, 2, -2) / 3, Eigen::Vector3d(-2, 1, 2) / 3};
+  std::vector<CellReading> readings;
+  for (const Eigen::Vector3d& up : ups) readings.push_back({readings.size(), up, std::pow(0.003, 2)});
+  AccelerometerFit fit;
+  fitAccelerometer(AccelerometerPrior(kModel.accelerometer.ofUnknownLot()), readings, ups, {}, fit);
+  const double prior_sq =
+      (std::pow(kModel.bend_sigma_rad, 2) + std::pow(kModel.twist_sigma_rad, 2) + std::pow(kModel.yaw_sigma_rad, 2)) /
+      3;
+  const Eigen::Matrix3d information = attitudeInformation(fit, ups) / 2 + Eigen::Matrix3d::Identity() / prior_sq;
+  EXPECT_NEAR(adviseNextPose(kModel, ups).sigma_now_rad, std::sqrt(information.inverse().trace() / 3), 1e-9);
+}
+
+TEST(Directions, LieAlongOneLineUpToTenDegrees) {
+  const auto tilted = [](double degrees) {
+    return Eigen::Vector3d(std::sin(degrees * kDegree), 0, std::cos(degrees * kDegree));
+  };
+  EXPECT_FALSE(lieAlongOneLine({}));
+  EXPECT_FALSE(lieAlongOneLine(Ups{tilted(0)})) << "one direction is no choice";
+  EXPECT_TRUE(lieAlongOneLine(Ups{tilted(0), -tilted(0), tilted(0)}));
+  EXPECT_TRUE(lieAlongOneLine(Ups{tilted(-9), -tilted(9)}));
+  EXPECT_FALSE(lieAlongOneLine(Ups{tilted(-11), -tilted(11)}));
+  EXPECT_FALSE(lieAlongOneLine(Ups{tilted(0), tilted(90)}));
 }
 
 TEST(PoseAdvisor, SaysWhichCellFacesWhere) {

@@ -57,6 +57,16 @@ TEST(SkinSigns, FindingsAboutLinksAreSignsOfTheLinks) {
   EXPECT_THAT(signsOf(demo).links, IsEmpty()) << "there is no such link";
 }
 
+TEST(SkinSigns, ATearIsASignOfAllLinksThatItNames) {
+  Reconstruction demo = demoReconstruction();
+  const LinkEstimate& a = demo.patches[0].links[3];
+  const LinkEstimate& b = demo.patches[0].links[7];
+  demo.findings = {about(FindingCode::TornSkin, {a.source.cell, a.target.cell, b.source.cell, b.target.cell},
+                         {a.source.port, a.target.port, b.source.port, b.target.port})};
+  EXPECT_THAT(signsOf(demo).links,
+              testing::UnorderedElementsAre(std::pair(a.source, a.target), std::pair(b.source, b.target)));
+}
+
 TEST(SkinSigns, OneQualityIsThatOfAllUsedLinks) {
   Reconstruction demo = demoReconstruction();
   EXPECT_TRUE(isOfOneQuality(demo));
