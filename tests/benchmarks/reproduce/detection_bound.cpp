@@ -153,6 +153,10 @@ double percentBeyondInPlane(double e, double probability) {
 }
 }  // namespace
 
+double bestDetection(double deviations, std::size_t places) {
+  return percentBeyond(deviations, kFalseAlarms / static_cast<double>(places));
+}
+
 BestDetection bestDetection(const SimulatedSkin& skin, const CellFault& fault, std::size_t poses) {
   const Readings readings(skin, poses);
   const Eigen::VectorXd change = readings.change(fault);

@@ -21,4 +21,7 @@ struct BestDetection {
 /// turn to find it is a chi-squared with two degrees of freedom about e^2. Links must make a tree.
 BestDetection bestDetection(const SimulatedSkin& skin, const CellFault& fault, std::size_t poses);
 
+/// The same of a fault that is known, but for which of so many places it is at, and shows by so many deviations.
+double bestDetection(double deviations, std::size_t places);
+
 }  // namespace hexoderm::cli

@@ -15,11 +15,12 @@ struct Part {
   const char* name;
   Json (*run)(const Trials& trials, bool prints);
 };
-constexpr std::array<Part, 7> kParts = {{{"paper", reproducePaper},
+constexpr std::array<Part, 8> kParts = {{{"paper", reproducePaper},
                                          {"accuracy", tabulateAccuracy},
                                          {"uncertainty", checkUncertainty},
                                          {"lots", tabulateLots},
                                          {"detection", countDetections},
+                                         {"faults", countFaults},
                                          {"check", countChanges},
                                          {"place", placeOnLinks}}};
 

@@ -89,6 +89,28 @@ TEST_F(Reproduce, UncertaintyAndDetectionAreCounted) {
   for (const auto& row : detection.at("rows")) expectFinite(row, {"false_per_link_percent", "false_per_cell_percent"});
 }
 
+TEST_F(Reproduce, FaultsOfEveryKindAreCountedWithIntervals) {
+  const auto json = jsonOf("--quiet --seeds 3 --only faults --json").at("faults");
+  EXPECT_EQ(json.at("healthy").size(), 3);
+  for (const auto& row : json.at("healthy")) {
+    EXPECT_EQ(row.at("sessions"), 1) << row;
+    EXPECT_EQ(row.at("alarms").at("count"), 0) << row;
+  }
+  ASSERT_GE(json.at("rows").size(), 40);
+  for (const auto& row : json.at("rows")) {
+    for (const std::string share : {"found", "named_right", "silently_wrong"}) {
+      EXPECT_EQ(row.at(share).at("of"), 3) << row;
+      expectFinite(row.at(share), {"percent", "low_percent", "high_percent"});
+    }
+    EXPECT_GT(row.at("times_healthy_cpu_median").get<double>(), 0) << row;
+    const std::string fault = row.at("fault");
+    if (fault == "dead" || fault == "no-samples" || fault == "cable") {
+      EXPECT_EQ(row.at("named_right").at("count"), 3) << row;
+      EXPECT_EQ(row.at("silently_wrong").at("count"), 0) << row;
+    }
+  }
+}
+
 TEST_F(Reproduce, LotsAreBesideIndependentPriorsAndTheBound) {
   const auto json = jsonOf("--quiet --seeds 2 --only lots --json").at("lots");
   ASSERT_EQ(json.at("rows").size(), 4 * 12 * 4);  // skins, lots, poses
@@ -117,7 +139,7 @@ TEST_F(Reproduce, TextHasEveryPart) {
       outputOf("--quiet --seeds 1"),
       AllOf(HasSubstr("The paper's two experiments"), HasSubstr("Accuracy on simulated skins"),
             HasSubstr("Stated uncertainty"), HasSubstr("Chips of one lot"), HasSubstr("What is broken is found"),
-            HasSubstr("By hand"), Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
+            HasSubstr("Faults of every kind"), HasSubstr("By hand"), Not(HasSubstr("nan")), Not(HasSubstr("inf "))));
 }
 
 TEST_F(Reproduce, ChecksOfCalibrationsAreCountedWithIntervals) {

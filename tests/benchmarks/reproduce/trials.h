@@ -177,6 +177,9 @@ Json countDetections(const Trials& trials, bool prints);
 /// The same for sessions that make no sense as a whole or in part, and for healthy ones of all patches; part of
 /// countDetections().
 Json countGarbage(const Trials& trials, bool prints);
+/// What is said of sessions with one of many kinds of fault, on several shapes: found, named, wrongly accused, silently
+/// wrong, and how long it takes.
+Json countFaults(const Trials& trials, bool prints);
 /// How often `check` finds what changed since a calibration, and blames healthy cells.
 Json countChanges(const Trials& trials, bool prints);
 /// Accuracy, stated uncertainty and false alarms where chips are of one lot and sit askew.
