@@ -12,7 +12,8 @@ namespace hexoderm {
 /// for every cell with its neighbours up to two links away: the readings' residuals (GlobalRefinement::misfitOf(), each
 /// cell free to turn and its sensor's errors granted), the angles of the links in the elastomer's sigmas, and, where
 /// links close loops, the distances between their ends in the model's link_sigma_m. The limit follows from the number
-/// of tests and one false alarm in 4,000 sessions; a sum must also be twice as large as is to be expected.
+/// of tests and one false alarm in 4,000 sessions; a sum must also be twice as large as is to be expected, and of
+/// links' angles four times and of loops twelve times, for a strongly curved skin does not keep either.
 void namePoorFit(const SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings);
 
 }  // namespace hexoderm
