@@ -7238,8 +7238,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Die Verbindungen {} sind immer noch um das {}-Fache dessen verdreht, was das Elastomer zulässt.</translation>
     </message>
     <message>
-        <source>The loops of links {} still don&apos;t close, by {} times what the mould explains.</source>
-        <translation>Die Ringe aus Verbindungen {} schließen sich immer noch nicht, um das {}-Fache dessen, was die Form erklärt.</translation>
+        <source>The loops of links {} still don&apos;t close, by {} times what the others leave open.</source>
+        <translation>Die Ringe aus Verbindungen {} schließen sich immer noch nicht, um das {}-Fache dessen, was die anderen offen lassen.</translation>
     </message>
     <message>
         <source>Something is wrong with the readings of {} of {} cells: too many to tell which are right.</source>

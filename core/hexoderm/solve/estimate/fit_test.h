@@ -11,8 +11,9 @@ namespace hexoderm {
 /// faults were found before. Three sums of squares are compared with a chi-squared, each for the patch as a whole and
 /// for every cell with its neighbours up to two links away: the readings' residuals (GlobalRefinement::misfitOf(), each
 /// cell free to turn and its sensor's errors granted), the angles of the links in the elastomer's sigmas, and, where
-/// links close loops, the distances between their ends in the model's link_sigma_m. The limit follows from the number
-/// of tests and one false alarm in 4,000 sessions; a sum must also be twice as large as is to be expected.
+/// links close loops, the distances between their ends in units of the spread that the patch shows, the model's at
+/// least. The limit follows from the number of tests and one false alarm in 4,000 sessions; a sum must also be twice as
+/// large as is to be expected, of angles four times and of openings six times, for strongly curved skins keep neither.
 void namePoorFit(const SkinLinks& skin, std::span<const PatchSolver> patches, std::vector<Finding>& findings);
 
 }  // namespace hexoderm
