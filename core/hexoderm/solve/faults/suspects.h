@@ -29,6 +29,9 @@ class SuspectSearch {
   /// The cell's readings contradict a neighbour's so clearly that two poses suffice to say so.
   [[nodiscard]] bool isClearlyWrong(std::size_t cell) const;
 
+  /// By how many deviations the cells of a link moved against each other between poses; 0 where it was not tested.
+  [[nodiscard]] double misfitOf(std::size_t link) const { return verdicts_[link].misfit; }
+
   struct BadLink {
     std::size_t link = 0;
     std::vector<Finding> findings;  ///< at least one

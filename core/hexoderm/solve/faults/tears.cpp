@@ -2,10 +2,12 @@
 
 #include "hexoderm/base/median.h"
 #include "hexoderm/base/units.h"
+#include "hexoderm/solve/faults/suspects.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <span>
@@ -41,22 +43,29 @@ std::vector<TearSide> sidesOf(const SkinGraph& graph, const GraphLink& link, std
   return side;
 }
 
+/// What a link says for a tear, and against it where it is negative.
+double scoreOf(double deviation) {
+  constexpr double kAsLikelyTorn = 2;  // deviations
+  return std::pow(std::min(deviation, 2 * kOdd), 2) - kAsLikelyTorn * kAsLikelyTorn;
+}
+
 /// Moves cells to the other side where their links speak for that. A link of the tear that is not odd lets in cells
 /// from beyond.
 void settle(const SkinGraph& graph, std::span<const double> deviations, std::vector<TearSide>& side) {
-  constexpr double kAsLikelyTorn = 2;  // deviations
   constexpr int kTimes = 6;
   for (int time = 0; time < kTimes; ++time) {
     for (std::size_t cell = 0; cell < side.size(); ++cell) {
       if (side[cell] == TearSide::Neither) continue;
       double for_its_side = 0;
+      bool is_joined = false;  // to the other side
       for (const std::size_t k : graph.linksAt(cell)) {
         const TearSide other = side[graph.links()[k].other(cell)];
         if (graph.links()[k].muted() || other == TearSide::Neither) continue;
-        const double torn = std::pow(std::min(deviations[k], 2 * kOdd), 2) - kAsLikelyTorn * kAsLikelyTorn;
-        for_its_side += other == side[cell] ? -torn : torn;
+        is_joined = is_joined || (other != side[cell] && deviations[k] <= kOdd);
+        for_its_side += other == side[cell] ? -scoreOf(deviations[k]) : scoreOf(deviations[k]);
       }
-      if (for_its_side < 0) side[cell] = side[cell] == TearSide::Source ? TearSide::Target : TearSide::Source;
+      if (is_joined && for_its_side < 0)
+        side[cell] = side[cell] == TearSide::Source ? TearSide::Target : TearSide::Source;
     }
   }
 }
@@ -68,25 +77,27 @@ bool isBesideTear(const SkinGraph& graph, std::span<const TearSide> side, std::s
   });
 }
 
-/// Gives a side to cells that nothing but odd links joins to a tear's: the one that fewer of these lead to.
-void addTornOff(const SkinGraph& graph, std::vector<TearSide>& side) {
+/// Gives a side to cells beside a tear that nothing but odd links joins to the others: the one that they speak less
+/// against.
+void addTornOff(const SkinGraph& graph, std::span<const double> deviations, std::vector<TearSide>& side) {
   const std::vector<TearSide> before = side;
   for (std::size_t cell = 0; cell < side.size(); ++cell) {
     if (before[cell] != TearSide::Neither) continue;
-    int to_source = 0;
+    double against_source = 0;
+    double against_target = 0;
     bool is_beside = false;
     for (const std::size_t k : graph.linksAt(cell)) {
       const std::size_t other = graph.links()[k].other(cell);
       if (graph.links()[k].muted() || before[other] == TearSide::Neither) continue;
-      to_source += before[other] == TearSide::Source ? 1 : -1;
+      (before[other] == TearSide::Source ? against_source : against_target) += scoreOf(deviations[k]);
       is_beside = is_beside || isBesideTear(graph, before, other);
     }
-    if (is_beside && to_source != 0) side[cell] = to_source > 0 ? TearSide::Target : TearSide::Source;
+    if (is_beside) side[cell] = against_source > against_target ? TearSide::Target : TearSide::Source;
   }
 }
 
-/// Whoever walks along the links, no further than a link away from them, comes from one to all others.
-bool lieSideBySide(const SkinGraph& graph, std::span<const std::size_t> links) {
+/// Of these links those that whoever walks along them, no further than a link away from them, comes to from the first.
+std::vector<std::size_t> sideBySide(const SkinGraph& graph, std::size_t first, std::span<const std::size_t> links) {
   std::vector<bool> is_beside(graph.cells().size(), false);
   for (const std::size_t k : links) {
     for (const std::size_t cell : {graph.links()[k].source, graph.links()[k].target}) {
@@ -94,7 +105,7 @@ bool lieSideBySide(const SkinGraph& graph, std::span<const std::size_t> links) {
       for (const std::size_t beside : graph.linksAt(cell)) is_beside[graph.links()[beside].other(cell)] = true;
     }
   }
-  std::vector<std::size_t> queue = {graph.links()[links.front()].source};
+  std::vector<std::size_t> queue = {graph.links()[first].source};
   is_beside[queue.front()] = false;
   for (std::size_t next = 0; next < queue.size(); ++next) {
     for (const std::size_t k : graph.linksAt(queue[next])) {
@@ -104,7 +115,10 @@ bool lieSideBySide(const SkinGraph& graph, std::span<const std::size_t> links) {
       queue.push_back(other);
     }
   }
-  return std::ranges::none_of(links, [&](std::size_t k) { return is_beside[graph.links()[k].source]; });
+  std::vector<std::size_t> reached;
+  std::ranges::copy_if(links, std::back_inserter(reached),
+                       [&](std::size_t k) { return !is_beside[graph.links()[k].source]; });
+  return reached;
 }
 
 /// The link that a finding is about.
@@ -126,6 +140,7 @@ std::vector<double> linkDeviations(const SkinLinks& skin) {
   for (std::size_t k = 0; k < graph.links().size(); ++k) {
     if (isJudged(k)) of_patches[graph.cells()[graph.links()[k].source].patch.value()].push_back(k);
   }
+  const SuspectSearch search(skin);
   std::vector<double> deviations(graph.links().size(), 0);
   for (const std::vector<std::size_t>& links : of_patches) {
     if (links.empty()) continue;
@@ -141,36 +156,32 @@ std::vector<double> linkDeviations(const SkinLinks& skin) {
         deviation = std::max(deviation, off[k] / std::hypot(scatter, skin.edges()[links[k]].deviation_rad));
       }
     }
-    for (const std::size_t k : links) {
-      const EdgeRotation& edge = skin.edges()[k];
-      constexpr double kNoResidual = 1e-9;  // rad
-      deviations[k] = std::max(deviations[k], edge.residual_rad / std::max(kNoResidual, edge.expected_residual_rad));
-    }
+    for (const std::size_t k : links) deviations[k] = std::max(deviations[k], search.misfitOf(k));
   }
   return deviations;
 }
 
 std::vector<std::size_t> tearThrough(const SkinLinks& skin, std::size_t link, std::span<const double> deviations) {
-  constexpr double kMost = 0.75;
+  constexpr double kMeanScore = 8;
   const SkinGraph& graph = skin.graph();
   std::vector<TearSide> side = sidesOf(graph, graph.links()[link], deviations);
   settle(graph, deviations, side);
-  addTornOff(graph, side);
-  std::vector<std::size_t> links;
-  std::size_t odd_links = 0;
+  addTornOff(graph, deviations, side);
+  std::vector<std::size_t> between;
   for (std::size_t k = 0; k < graph.links().size(); ++k) {
     const TearSide source = side[graph.links()[k].source];
     const TearSide target = side[graph.links()[k].target];
-    if (graph.links()[k].muted() || source == target || source == TearSide::Neither || target == TearSide::Neither)
-      continue;
-    links.push_back(k);
-    if (deviations[k] > kOdd || k == link) ++odd_links;
+    const bool has_sides = source != TearSide::Neither && target != TearSide::Neither;
+    if (!graph.links()[k].muted() && has_sides && source != target) between.push_back(k);
   }
+  if (std::ranges::count(between, link) == 0) return {};
+  std::vector<std::size_t> links = sideBySide(graph, link, between);
+  double score = 0;  // of the others
+  for (const std::size_t k : links) score += k == link ? 0 : scoreOf(deviations[k]);
   const auto cells = static_cast<std::size_t>(
       std::min(std::ranges::count(side, TearSide::Source), std::ranges::count(side, TearSide::Target)));
-  const bool is_tear = links.size() > 1 && cells > links.size() &&
-                       static_cast<double>(odd_links) >= kMost * static_cast<double>(links.size()) &&
-                       lieSideBySide(graph, links);
+  const bool is_tear =
+      links.size() > 1 && cells > links.size() && score >= kMeanScore * static_cast<double>(links.size() - 1);
   return is_tear ? links : std::vector<std::size_t>();
 }
 

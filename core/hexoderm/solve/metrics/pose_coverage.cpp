@@ -370,7 +370,7 @@ std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction
 }
 
 bool lieAlongOneLine(std::span<const Eigen::Vector3d> directions) {
-  constexpr double kAcross = 10 * kDegree;
+  constexpr double kAcross = 15 * kDegree;  // offsets of the sensors bend opposite directions by up to as much
   if (directions.size() < 2) return false;
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& direction : directions) sum += direction * direction.transpose();

@@ -31,7 +31,7 @@ PoseAdvice adviseNextPose(const CellModel& model, const std::vector<Eigen::Vecto
 /// The up directions of the poses so far in the frame of the largest patch, for adviseNextPose(); none without a patch.
 std::vector<Eigen::Vector3d> directionsSeen(const Reconstruction& reconstruction);
 
-/// At least two directions (unit) are known, and all lie along one line, within 10 degrees of it (rms): how cells are
+/// At least two directions (unit) are known, and all lie along one line, within 15 degrees of it (rms): how cells are
 /// turned about that line is not known.
 bool lieAlongOneLine(std::span<const Eigen::Vector3d> directions);
 

@@ -1,10 +1,13 @@
+#include "hexoderm/solve/faults/tears.h"
 #include "hexoderm/solve/metrics/assess.h"
 #include "hexoderm/solve/reconstructor.h"
+#include "tests/support/estimated_links.h"
 #include "tests/support/matchers.h"
 #include "tests/support/simulated_skins.h"
 #include "tests/support/testing.h"
 
 #include <set>
+#include <utility>
 
 namespace hexoderm {
 namespace {
@@ -49,6 +52,18 @@ TEST(TornSkin, IsOneFindingThatNamesTheLinksAcrossTheTearAndNoOthers) {
       ASSERT_NE(link, nullptr);
       EXPECT_EQ(link->muted_by, FindingCode::TornSkin);
     }
+  }
+}
+
+TEST(TornSkin, IsNotSaidOfOneBadLinkBesideSoundOnes) {
+  SimulatedSkinOptions options = test::skinOptions("sheet:5x5", "cylinder:r=0.08", 2);
+  const Session whole = test::simulatedSession(options, 4);
+  test::EstimatedLinks skin(whole);
+  std::vector<double> deviations = linkDeviations(skin.links);
+  for (std::size_t link = 0; link < deviations.size(); ++link) {
+    const double before = std::exchange(deviations[link], 20.0);
+    EXPECT_THAT(tearThrough(skin.links, link, deviations), IsEmpty()) << link;
+    deviations[link] = before;
   }
 }
 

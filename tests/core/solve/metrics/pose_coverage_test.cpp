@@ -217,15 +217,15 @@ TEST(PoseAdvisor, StatesWhatAFitOfTheReadingsLeavesOpen) {
   EXPECT_NEAR(adviseNextPose(kModel, ups).sigma_now_rad, std::sqrt(information.inverse().trace() / 3), 1e-9);
 }
 
-TEST(Directions, LieAlongOneLineUpToTenDegrees) {
+TEST(Directions, LieAlongOneLineUpToFifteenDegrees) {
   const auto tilted = [](double degrees) {
     return Eigen::Vector3d(std::sin(degrees * kDegree), 0, std::cos(degrees * kDegree));
   };
   EXPECT_FALSE(lieAlongOneLine({}));
   EXPECT_FALSE(lieAlongOneLine(Ups{tilted(0)})) << "one direction is no choice";
   EXPECT_TRUE(lieAlongOneLine(Ups{tilted(0), -tilted(0), tilted(0)}));
-  EXPECT_TRUE(lieAlongOneLine(Ups{tilted(-9), -tilted(9)}));
-  EXPECT_FALSE(lieAlongOneLine(Ups{tilted(-11), -tilted(11)}));
+  EXPECT_TRUE(lieAlongOneLine(Ups{tilted(-14), -tilted(14)}));
+  EXPECT_FALSE(lieAlongOneLine(Ups{tilted(-16), -tilted(16)}));
   EXPECT_FALSE(lieAlongOneLine(Ups{tilted(0), tilted(90)}));
 }
 
