@@ -18,8 +18,11 @@ Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, co
     if (estimate.bringTo(explainer.needs, stop) == Completion::Stopped) return Answer::Stopped;
     if (progress != nullptr && explainer.needs == Estimate::Stage::Patches) progress->enter(SolveStage::Findings);
     if (std::optional<Explanation> explanation = explainer.explain(estimate)) {
+      const bool ends_search = explanation->ends_search;
       estimate.exclude(std::move(*explanation));
-      return Answer::Explained;
+      if (!ends_search) return Answer::Explained;
+      return estimate.bringTo(Estimate::Stage::Patches, stop) == Completion::Stopped ? Answer::Stopped
+                                                                                     : Answer::NothingLeft;
     }
   }
   return Answer::NothingLeft;
@@ -38,8 +41,8 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
   // Those that need least of the estimate first.
-  const std::array explainers = {makeNeighborExplainer(), makeMisfitExplainer(), makeOpenLinkExplainer(),
-                                 makeAttitudeExplainer()};
+  const std::array explainers = {makeTurnedGroupExplainer(), makeWholeSkinExplainer(), makeNeighborExplainer(),
+                                 makeMisfitExplainer(),      makeOpenLinkExplainer(),  makeAttitudeExplainer()};
   Answer answer{};
   do {
     // Lines 9 and 10, rotations of links and their weights (Stage::Links), and 11 to 15, origins, paths and placements
