@@ -42,7 +42,8 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
   // Those that need least of the estimate first.
   const std::array explainers = {makeTurnedGroupExplainer(), makeWholeSkinExplainer(), makeNeighborExplainer(),
-                                 makeMisfitExplainer(),      makeOpenLinkExplainer(),  makeAttitudeExplainer()};
+                                 makeMisfitExplainer(),      makeOpenLinkExplainer(),  makeAttitudeExplainer(),
+                                 makeInsideOutExplainer()};
   Answer answer{};
   do {
     // Lines 9 and 10, rotations of links and their weights (Stage::Links), and 11 to 15, origins, paths and placements
