@@ -110,7 +110,7 @@ std::string jsonLineOf(const std::string& input, const std::filesystem::path& wr
   return line + ",\"calibration\":" + (calibration.empty() ? "null" : inOneLine(calibration)) + "}";
 }
 
-Session openSession(const std::string& input, std::string_view surface) {
+Session openWithSurface(const std::string& input, std::string_view surface) {
   Session session = openSession(input);
   if (!surface.empty()) session.setSide(surface == "convex" ? SkinSide::Convex : SkinSide::Concave);
   return session;
@@ -121,7 +121,7 @@ std::optional<EndedSession> solveOne(const SolveBatch& batch, const std::string&
                                      const std::filesystem::path& written, bool json, const std::stop_token& stop) {
   EndedSession ended;
   try {
-    const auto result = reconstruct(*openSession(input, batch.surface).snapshot(), batch.solver, nullptr, stop);
+    const auto result = reconstruct(*openWithSurface(input, batch.surface).snapshot(), batch.solver, nullptr, stop);
     if (result == nullptr) return std::nullopt;
     if (!written.empty()) writeCalibrationJson(*result, written);
     ended.exit_code = exitCodeOf(result->assessment);
@@ -377,7 +377,7 @@ int run(const SolveOptions& options, const Common& common) {
 
   const std::string& input = options.inputs.front();
   common.progress("Reading " + input + " ...");
-  const Session session = openSession(input, options.surface);
+  const Session session = openWithSurface(input, options.surface);
   common.progress("Solving ...");
   const auto result = reconstruct(*session.snapshot(), solver);
   if (!options.output.empty()) {
