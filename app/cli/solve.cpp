@@ -35,6 +35,7 @@ struct SolveBatch {
   std::string folder;  ///< where the calibrations go, made if it is not there; empty: nowhere
   SolverOptions solver;
   std::size_t jobs = 1;  ///< sessions that are solved at the same time, each on a thread of its own; at least 1
+  std::string surface{};  ///< "convex" or "concave"; empty: as each session says
 };
 
 constexpr std::string_view kCalibrationEnding = ".calibration.json";
@@ -109,12 +110,18 @@ std::string jsonLineOf(const std::string& input, const std::filesystem::path& wr
   return line + ",\"calibration\":" + (calibration.empty() ? "null" : inOneLine(calibration)) + "}";
 }
 
+Session openWithSurface(const std::string& input, std::string_view surface) {
+  Session session = openSession(input);
+  if (!surface.empty()) session.setSide(surface == "convex" ? SkinSide::Convex : SkinSide::Concave);
+  return session;
+}
+
 /// Solves one session, reads it and writes its calibration; nothing if it was stopped.
-std::optional<EndedSession> solveOne(const std::string& input, const std::filesystem::path& written,
-                                     const SolverOptions& solver, bool json, const std::stop_token& stop) {
+std::optional<EndedSession> solveOne(const SolveBatch& batch, const std::string& input,
+                                     const std::filesystem::path& written, bool json, const std::stop_token& stop) {
   EndedSession ended;
   try {
-    const auto result = reconstruct(*openSession(input).snapshot(), solver, nullptr, stop);
+    const auto result = reconstruct(*openWithSurface(input, batch.surface).snapshot(), batch.solver, nullptr, stop);
     if (result == nullptr) return std::nullopt;
     if (!written.empty()) writeCalibrationJson(*result, written);
     ended.exit_code = exitCodeOf(result->assessment);
@@ -143,7 +150,7 @@ class BatchThreads {
       threads_.emplace_back([this, &batch, files, json, job] {
         const CoresInUse in_use(job == 0 ? 0 : 1);  // the first has the core that every call has
         for (std::size_t k = takeUp(); k < outcomes_.size(); k = takeUp()) {
-          auto ended = solveOne(batch.inputs[k], files.empty() ? std::filesystem::path() : files[k], batch.solver, json,
+          auto ended = solveOne(batch, batch.inputs[k], files.empty() ? std::filesystem::path() : files[k], json,
                                 stop_.get_token());
           if (ended) outcomes_[k].set_value(*std::move(ended));
         }
@@ -330,6 +337,7 @@ struct SolveOptions {
   std::vector<std::uint32_t> without;
   double class_threshold = SolverOptions().class_threshold;
   std::vector<double> goal;  ///< mm, degrees; empty: the default
+  std::string surface;  ///< as SolveBatch has it
 };
 
 void printSummary(const Reconstruction& r, const Session& session) {
@@ -369,13 +377,13 @@ int run(const SolveOptions& options, const Common& common) {
   }
   solver.validate();
   if (options.inputs.size() > 1 || options.output.ends_with('/')) {
-    return solveBatch({options.inputs, options.output, std::move(solver), options.jobs}, common);
+    return solveBatch({options.inputs, options.output, std::move(solver), options.jobs, options.surface}, common);
   }
   const Output output(options.output, common);
 
   const std::string& input = options.inputs.front();
   common.progress("Reading " + input + " ...");
-  const Session session = openSession(input);
+  const Session session = openWithSurface(input, options.surface);
   common.progress("Solving ...");
   const auto result = reconstruct(*session.snapshot(), solver);
   if (!options.output.empty()) {
@@ -415,6 +423,11 @@ void addSolve(CLI::App& app, Common& common) {
     value = choice.get(SolverOptions());
     addWithDefault(command, "--" + std::string(choice.name), value, std::string(choice.help));
   }
+  command
+      .add_option("--surface", options.surface,
+                  "Where the skin lies: convex, on the outside of the body, or concave, in a hollow (default: as the "
+                  "session says)")
+      ->check(CLI::IsMember({"convex", "concave"}));
   takeWholeNumbers(command.add_option("--without", options.without, "Leave this cell's readings out; may be repeated"));
   takeNumbersAbove(addWithDefault(command, "--class-threshold", options.class_threshold,
                                   "Singular value from which a direction counts as defined; 1 is the paper's"),

@@ -4761,8 +4761,92 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>Zelle {} misst, als wäre sie um {} Grad gegen ihre Nachbarn gedreht: Sie ist anders montiert, oder ihre Achsen sind nicht wie im Zellmodell. Sie wird über ihre Verbindungen verortet.</translation>
     </message>
     <message>
-        <source>All links of a patch twist one way, as on no surface: axes or ports are not as in the cell model.</source>
-        <translation>Alle Verbindungen eines Hautstücks sind in eine Richtung verwunden, wie auf keiner Fläche: Achsen oder Ports sind nicht wie im Zellmodell.</translation>
+        <source>The links of a patch turn as on no surface: axes or ports are not as in the cell model.</source>
+        <translation>Die Verbindungen eines Hautstücks sind verdreht wie auf keiner Fläche: Achsen oder Ports sind nicht wie im Zellmodell.</translation>
+    </message>
+    <message>
+        <source>Cells read as if all of them were turned or mirrored alike against the others; their readings are turned back.</source>
+        <translation>Zellen messen, als wären sie alle gleich gegen die anderen gedreht oder gespiegelt; ihre Messwerte werden zurückgedreht.</translation>
+    </message>
+    <message>
+        <source>With one turn or reflection of their axes all links to the other cells are links of a skin.</source>
+        <translation>Mit einer einzigen Drehung oder Spiegelung ihrer Achsen sind alle Verbindungen zu den anderen Zellen solche einer Haut.</translation>
+    </message>
+    <message>
+        <source>Compare these cells with the others: how they are mounted, and of which batch they are.</source>
+        <translation>Vergleichen Sie diese Zellen mit den anderen: wie sie montiert sind und aus welcher Charge sie stammen.</translation>
+    </message>
+    <message>
+        <source>Nearly all links bend inwards: the skin lies in a hollow, or it comes out inside out.</source>
+        <translation>Fast alle Verbindungen sind nach innen gebogen: Die Haut liegt in einer Höhlung, oder das Ergebnis ist umgestülpt.</translation>
+    </message>
+    <message>
+        <source>A skin on the outside of a body bends outwards. Gravity cannot tell a hollow from a skin whose accelerometers are all mirrored.</source>
+        <translation>Eine Haut außen auf einem Körper ist nach außen gebogen. Die Schwerkraft unterscheidet eine Höhlung nicht von einer Haut, deren Beschleunigungssensoren alle gespiegelt sind.</translation>
+    </message>
+    <message>
+        <source>Say whether the skin lies on the outside of the body or in a hollow. On the outside, the axes of the accelerometers are not as in the cell model.</source>
+        <translation>Geben Sie an, ob die Haut außen auf dem Körper oder in einer Höhlung liegt. Liegt sie außen, sind die Achsen der Beschleunigungssensoren nicht wie im Zellmodell.</translation>
+    </message>
+    <message>
+        <source>{} of the {} cells read as if they were {} against the others: either these or the others are mounted otherwise, and readings alone leave open which. These are taken as turned.</source>
+        <translation>{} der {} Zellen messen, als wären sie gegen die anderen {}: Entweder sind diese oder die anderen anders montiert, und die Messwerte allein lassen offen, welche. Diese gelten als gedreht.</translation>
+    </message>
+    <message>
+        <source>{} of the {} cells read as if they were {} against the others: they are mounted otherwise, or of another batch. Their readings are turned back.</source>
+        <translation>{} der {} Zellen messen, als wären sie gegen die anderen {}: Sie sind anders montiert oder aus einer anderen Charge. Ihre Messwerte werden zurückgedreht.</translation>
+    </message>
+    <message>
+        <source>mirrored along x, y and z</source>
+        <translation>entlang x, y und z gespiegelt</translation>
+    </message>
+    <message>
+        <source>mirrored along {}</source>
+        <translation>entlang {} gespiegelt</translation>
+    </message>
+    <message>
+        <source>mirrored, with axes exchanged</source>
+        <translation>gespiegelt, mit vertauschten Achsen</translation>
+    </message>
+    <message>
+        <source>turned by {} degrees, axes exchanged</source>
+        <translation>um {} Grad gedreht, mit vertauschten Achsen</translation>
+    </message>
+    <message>
+        <source>turned by {} degrees about {}</source>
+        <translation>um {} Grad um {} gedreht</translation>
+    </message>
+    <message>
+        <source>if the accelerometers are {}</source>
+        <translation>wenn die Beschleunigungssensoren {} sind</translation>
+    </message>
+    <message>
+        <source>if the ports are numbered {} further on</source>
+        <translation>wenn die Ports um {} weiter nummeriert sind</translation>
+    </message>
+    <message>
+        <source>The links of the patch of cell {} are turned as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}. All links fit {}. No other fault was looked for.</source>
+        <translation>Die Verbindungen des Hautstücks von Zelle {} sind verdreht wie auf keiner Fläche: Die Achsen der Beschleunigungssensoren oder die Nummern der Ports sind nicht wie im Zellmodell {}. Alle Verbindungen passen, {}. Nach anderen Fehlern wurde nicht gesucht.</translation>
+    </message>
+    <message>
+        <source>The links of the patch of cell {} are turned as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}. No other fault was looked for.</source>
+        <translation>Die Verbindungen des Hautstücks von Zelle {} sind verdreht wie auf keiner Fläche: Die Achsen der Beschleunigungssensoren oder die Nummern der Ports sind nicht wie im Zellmodell {}. Nach anderen Fehlern wurde nicht gesucht.</translation>
+    </message>
+    <message>
+        <source>Of {} links that bend clearly, {} bend inwards. If the skin lies in a hollow, the result is right. If it lies on the outside of the body, the accelerometers are mirrored and the result is inside out: gravity cannot tell. Say where it lies.</source>
+        <translation>Von {} deutlich gebogenen Verbindungen sind {} nach innen gebogen. Liegt die Haut in einer Höhlung, ist das Ergebnis richtig. Liegt sie außen auf dem Körper, sind die Beschleunigungssensoren gespiegelt und das Ergebnis ist umgestülpt: Die Schwerkraft zeigt das nicht. Geben Sie an, wo sie liegt.</translation>
+    </message>
+    <message>
+        <source>Of {} links that bend clearly, {} bend inwards, and the skin is said to lie on the outside of the body: the axes of the accelerometers are not as in the cell model {}, and the result is inside out.</source>
+        <translation>Von {} deutlich gebogenen Verbindungen sind {} nach innen gebogen, obwohl die Haut außen auf dem Körper liegen soll: Die Achsen der Beschleunigungssensoren sind nicht wie im Zellmodell {}, und das Ergebnis ist umgestülpt.</translation>
+    </message>
+    <message>
+        <source>Of {} links that bend clearly, {} bend outwards, and the skin is said to lie in a hollow: the axes of the accelerometers are not as in the cell model {}, and the result is inside out.</source>
+        <translation>Von {} deutlich gebogenen Verbindungen sind {} nach außen gebogen, obwohl die Haut in einer Höhlung liegen soll: Die Achsen der Beschleunigungssensoren sind nicht wie im Zellmodell {}, und das Ergebnis ist umgestülpt.</translation>
+    </message>
+    <message>
+        <source>can&apos;t be told: its readings were turned back when it was calibrated</source>
+        <translation>nicht zu sagen: Ihre Messwerte wurden bei der Kalibrierung zurückgedreht</translation>
     </message>
     <message>
         <source>Cells report the same readings, bit for bit; they are placed through their links.</source>

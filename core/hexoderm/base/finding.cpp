@@ -159,8 +159,7 @@ const auto& table() {
       {.code = ContradictsModel,
        .name = "contradicts-model",
        .severity = Severity::Error,
-       .meaning =
-           message("All links of a patch twist one way, as on no surface: axes or ports are not as in the cell model."),
+       .meaning = message("The links of a patch turn as on no surface: axes or ports are not as in the cell model."),
        .why = message("A surface bends to either side. A twist to one side everywhere comes from a wrong "
                       "description of the cell."),
        .what_to_do = message("Compare the axes and the numbers of the ports in the cell model with a real cell."),
@@ -178,12 +177,12 @@ const auto& table() {
       {.code = InsideOut,
        .name = "inside-out",
        .severity = Severity::Info,
-       .meaning =
-           message("Nearly all links bend inwards: the skin lies in a hollow, or all its axes point the other way."),
-       .why = message("A skin on the outside of a body bends outwards. Gravity can't tell a hollow from a skin whose "
-                      "cells face the wrong way."),
-       .what_to_do =
-           message("Say whether the skin lies in a hollow. If it does not, check the axes in the cell model."),
+       .meaning = message("Nearly all links bend inwards: the skin lies in a hollow, or it comes out inside out."),
+       .why = message("A skin on the outside of a body bends outwards. Gravity cannot tell a hollow from a skin whose "
+                      "accelerometers are all mirrored."),
+       .what_to_do = message(
+           "Say whether the skin lies on the outside of the body or in a hollow. On the outside, the axes of the "
+           "accelerometers are not as in the cell model."),
        .remedies = {}},
       {.code = NoSamples,
        .name = "no-samples",
@@ -308,11 +307,11 @@ const auto& table() {
       {.code = TurnedGroup,
        .name = "turned-group",
        .severity = Severity::Warning,
-       .meaning = message("Neighbouring cells are turned against the others by one turn: they are mounted otherwise, "
-                          "or of another batch."),
-       .why = message(
-           "Within the group the cells fit each other, and with one turn or reflection they fit the others too."),
-       .what_to_do = message("Compare these cells with the others: their axes, and how they lie in the mould."),
+       .meaning =
+           message("Cells read as if all of them were turned or mirrored alike against the others; their readings "
+                   "are turned back."),
+       .why = message("With one turn or reflection of their axes all links to the other cells are links of a skin."),
+       .what_to_do = message("Compare these cells with the others: how they are mounted, and of which batch they are."),
        .remedies = {LightCell}},
       {.code = MovedCell,
        .name = "moved-cell",

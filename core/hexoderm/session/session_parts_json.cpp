@@ -111,6 +111,16 @@ void AsJointAngles::put(JsonWriter& out, const Positions& positions) const {
   });
 }
 
+std::string_view skinSideName(SkinSide side) {
+  return side == SkinSide::Convex ? "convex" : side == SkinSide::Concave ? "concave" : "";
+}
+std::optional<SkinSide> skinSideFromName(std::string_view name) {
+  for (const SkinSide side : {SkinSide::Convex, SkinSide::Concave}) {
+    if (name == skinSideName(side)) return side;
+  }
+  return std::nullopt;
+}
+
 std::optional<RobotDescription> readRobot(const JsonReader& json) {
   if (!json.find("urdf")) return std::nullopt;
   RobotDescription robot;

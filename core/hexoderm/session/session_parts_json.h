@@ -60,6 +60,10 @@ struct AsJointAngles {
   void put(JsonWriter& out, const Positions& positions) const;
 };
 
+/// "convex" and "concave", as in files; "" for SkinSide::Unknown. Nothing for a name that is none.
+std::string_view skinSideName(SkinSide side);
+std::optional<SkinSide> skinSideFromName(std::string_view name);
+
 /// `urdf`, `sha256` and `packages`; an object without `urdf` is no robot.
 std::optional<RobotDescription> readRobot(const JsonReader& json);
 void writeRobot(const std::optional<RobotDescription>& robot, JsonWriter& json);

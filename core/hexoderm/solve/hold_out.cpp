@@ -70,6 +70,11 @@ class HoldOut {
     noise_g2_ = noiseOfCells();
   }
 
+  /// Nothing is foretold of these cells: what they read is not what the result is made of.
+  void leaveOut(std::span<const CellId> cells) {
+    for (const CellId cell : cells) table_.at(graph_.indexOf(cell).value(), left_out_).usable = false;
+  }
+
   void evaluate(const PatchReconstruction& patch, HoldOutResult& result) const {
     std::vector<Seen> seen;
     for (const CellPlacement& cell : patch.cells) {
@@ -285,7 +290,10 @@ HoldOutResult evaluateHoldOut(const SessionSnapshot& snapshot, PoseId pose, cons
   if (stop.stop_requested()) return result;
   const auto reconstruction = reconstruct(others, options, nullptr, stop);
   if (!reconstruction) return result;
-  const HoldOut hold_out(snapshot, pose, options);
+  HoldOut hold_out(snapshot, pose, options);
+  for (const Finding& finding : reconstruction->findings) {
+    if (finding.code == FindingCode::TurnedGroup) hold_out.leaveOut(finding.cells);
+  }
   for (const PatchReconstruction& patch : reconstruction->patches) {
     if (stop.stop_requested()) return result;
     hold_out.evaluate(patch, result);

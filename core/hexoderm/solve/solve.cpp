@@ -56,8 +56,11 @@ Answer explainOnce(Estimate& estimate, std::span<const Explainer> explainers, Ro
         return Answer::NothingLeft;
       }
       rounds.count(explainer, *explanation);
+      const bool ends_search = explanation->ends_search;
       estimate.exclude(std::move(*explanation));
-      return Answer::Explained;
+      if (!ends_search) return Answer::Explained;
+      return estimate.bringTo(Estimate::Stage::Patches, stop) == Completion::Stopped ? Answer::Stopped
+                                                                                     : Answer::NothingLeft;
     }
   }
   return Answer::NothingLeft;
@@ -76,8 +79,9 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
   // Those that need least of the estimate first.
-  const std::array explainers = {makeNeighborExplainer(), makeTearExplainer(), makeMisfitExplainer(),
-                                 makeOpenLinkExplainer(), makeAttitudeExplainer()};
+  const std::array explainers = {makeTurnedGroupExplainer(), makeWholeSkinExplainer(), makeNeighborExplainer(),
+                                 makeTearExplainer(),        makeMisfitExplainer(),    makeOpenLinkExplainer(),
+                                 makeAttitudeExplainer(),    makeInsideOutExplainer()};
   Rounds rounds(estimate->skin().graph());
   Answer answer{};
   do {

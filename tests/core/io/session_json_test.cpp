@@ -93,6 +93,17 @@ TEST(SessionJson, ReadsLinksThatAreSetAside) {
               saysAll("s.json: muted_links[1].target_port: expected another port", "two ends"));
 }
 
+TEST(SessionJson, SaysWhereTheSkinLies) {
+  nlohmann::json json = threeCells();
+  json["surface"] = "concave";
+  const Session session = parseSessionJson(json.dump(), "s.json");
+  EXPECT_EQ(session.side(), SkinSide::Concave);
+  EXPECT_EQ(nlohmann::json::parse(sessionToJson(session))["surface"], "concave");
+  json["surface"] = "hollow";
+  EXPECT_THAT(messageOf<FormatError>([&] { parseSessionJson(json.dump(), "s.json"); }),
+              saysAll("s.json: surface: expected \"convex\" or \"concave\""));
+}
+
 TEST(SessionJson, ReadsTimesReasonsAndTemperatures) {
   nlohmann::json json = threeCells();
   json["poses"][1]["why_disabled"] = "leaned on it";

@@ -247,6 +247,9 @@ class CalibrationChecker {
       if (words.empty()) continue;
       for (const CellId cell : finding.cells) broken_.try_emplace(cell, words);
     }
+    for (const Finding& finding : calibration_.findings) {
+      if (finding.code == FindingCode::TurnedGroup) turned_back_.insert(finding.cells.begin(), finding.cells.end());
+    }
   }
 
   void allowAgain(const Finding& finding) {
@@ -305,6 +308,9 @@ class CalibrationChecker {
       checked.words = message("gone: it is no longer among the skin's cells");
     } else if (broken != broken_.end()) {
       checked.words = broken->second;
+    } else if (turned_back_.contains(cell.cell)) {
+      checked.change = CellChange::NotTold;
+      checked.words = message("can't be told: its readings were turned back when it was calibrated");
     } else if (!table_.usablePoses(*index).empty()) {
       return std::nullopt;
     } else if (cell.placed_by == PlacedBy::Links) {
@@ -516,6 +522,7 @@ class CalibrationChecker {
   std::vector<Finding> ignored_;  ///< about the topology and the numbers of poses
   GravityTable table_;
   std::unordered_map<CellId, Message> broken_;
+  std::set<CellId> turned_back_;    ///< of a group that reads turned
   bool contradictory_ = false;      ///< no majority of some patch agrees
   bool changed_meanwhile_ = false;  ///< as far as can be told, a cell may have changed between the poses
   CalibrationCheck check_;

@@ -15,6 +15,15 @@ struct Explainer {
   std::function<std::optional<Explanation>(const Estimate&)> explain;
 };
 
+/// By the rotations of links: cells whose accelerometers are all turned or reflected alike against those of the others.
+/// For every exchange and negation of axes, and turns by a side of the cell, those cells are a group with which the
+/// links fit best; what their readings are turned by is taken back.
+Explainer makeTurnedGroupExplainer();
+
+/// By the turns that all links of a patch have in common (TurnMap): axes or ports that are not as in the cell model. It
+/// ends the search. Says with which exchange of axes, or numbering of ports, all links fit, if there is one.
+Explainer makeWholeSkinExplainer();
+
 /// By neighbouring cells alone (SuspectSearch): a pose in which the part moved, cells that contradict their neighbours,
 /// and then the links that no skin link can be. A cell that two poses don't clearly show to be wrong is called
 /// suspicious and stays, and so do its links.
@@ -35,5 +44,10 @@ Explainer makeOpenLinkExplainer();
 /// By the attitudes of solved patches (findAttitudeSuspects()): links, and cells that are mounted otherwise or whose
 /// readings are each other's. Of a tree's readings also what a hand that turned the part added to them.
 Explainer makeAttitudeExplainer();
+
+/// By the signs of the bends of all links, once nothing else is left: a skin that bends inwards nearly everywhere lies
+/// in a hollow, or comes out inside out. Asks which, unless the session says so; if that contradicts the bends, the
+/// cell model is wrong. Of a flat skin nothing is said.
+Explainer makeInsideOutExplainer();
 
 }  // namespace hexoderm

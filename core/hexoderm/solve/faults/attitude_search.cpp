@@ -2,8 +2,7 @@
 
 #include "hexoderm/base/parallel.h"
 #include "hexoderm/base/units.h"
-#include "hexoderm/skin/breadth_first.h"
-#include "hexoderm/skin/skin_graph_boost.h"
+#include "hexoderm/solve/faults/turn_map.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -66,8 +65,6 @@ std::vector<AttitudeSuspect> foundAmong(std::size_t count, const Look& look) {
   for (const std::vector<AttitudeSuspect>& found : of_ranges) all.insert(all.end(), found.begin(), found.end());
   return all;
 }
-
-double headingOf(const Port& port) { return std::atan2(port.vector_m.y(), port.vector_m.x()); }
 
 /// Both say the same of the same cells or of the same link.
 bool isOfTheSame(const AttitudeSuspect& a, const AttitudeSuspect& b) {
@@ -163,23 +160,9 @@ class AttitudeSearch {
 
   [[nodiscard]] std::size_t placeOf(std::size_t cell) const { return skin_.graph().cells()[cell].place; }
 
-  /// Headings of the cells' x axes in the sheet laid flat, from one of them.
-  [[nodiscard]] std::vector<double> headings() const {
-    const SkinGraph& graph = skin_.graph();
-    const PatchGraph view{&graph, graph.cells()[cells_.front()].patch.value()};
-    std::vector<double> heading(cells_.size(), 0);
-    BreadthFirst(view).searchFrom(cells_.front(), [&](const SkinEdge& edge) {
-      const GraphLink& link = graph.links()[edge.link];
-      const double yaw = headingOf(skin_.sourcePort(link)) + kPi - headingOf(skin_.targetPort(link));
-      heading[placeOf(target(edge, view))] = heading[placeOf(edge.from)] + (link.source == edge.from ? yaw : -yaw);
-      return true;
-    });
-    return heading;
-  }
-
   void findJoints() {
     const SkinGraph& graph = skin_.graph();
-    const std::vector<double> heading = headings();
+    const std::vector<double> heading = flatHeadings(skin_, graph.cells()[cells_.front()].patch.value());
     for (std::size_t place = 0; place < cells_.size(); ++place) {
       for (const std::size_t k : graph.linksAt(cells_[place])) {
         const GraphLink& link = graph.links()[k];

@@ -29,6 +29,7 @@ struct Explanation {
   /// Without the cells all others stay about where they are, so that the joint estimate can go on from there. Else
   /// origin, paths and placements are found anew, as they would be had the cells never measured.
   bool keeps_placements = false;
+  bool ends_search = false;  ///< the model is another one, so that nothing else can be said to be wrong
 
   /// It changes what the estimate is made of.
   [[nodiscard]] bool excludes() const {

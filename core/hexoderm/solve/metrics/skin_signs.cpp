@@ -10,7 +10,7 @@ bool isAboutCells(FindingCode code) {
   using enum FindingCode;
   constexpr std::array kAboutCells = {NoSamples,       DeadSensor,   StuckSensor, SaturatedSensor,    NoisySensor,
                                       WrongNorm,       DeadAxis,     WrongGain,   InconsistentSensor, IdenticalReadings,
-                                      SwappedReadings, TurnedSensor, MovedCell,   SuspiciousSensor};
+                                      SwappedReadings, TurnedSensor, TurnedGroup, MovedCell,          SuspiciousSensor};
   return std::ranges::find(kAboutCells, code) != kAboutCells.end();
 }
 
