@@ -51,8 +51,6 @@ enum class FindingCode {
   InconsistentSensor,
   IdenticalReadings,
   SwappedReadings,
-  ShiftedReadings,
-  MixedReadings,
   TurnedSensor,
   TurnedGroup,
   MovedCell,
