@@ -167,11 +167,11 @@ const auto& table() {
       {.code = TornSkin,
        .name = "torn-skin",
        .severity = Severity::Warning,
-       .meaning = message("Links along one line fit no skin: the skin is torn there, or a joint or a cable crosses it; "
-                          "they are muted."),
-       .why = message(
-           "Each of these links alone could be askew, but they lie side by side, and without them both sides fit."),
-       .what_to_do = message("Look along the line of links. If a joint or cables cross it, leave them muted; if the "
+       .meaning =
+           message("Links along one line fit no skin: the skin is torn there, or a joint or cables cross it. All "
+                   "its links are named, end by end, and muted."),
+       .why = message("The links lie side by side, and without them both sides fit."),
+       .what_to_do = message("Look along the line of links. If a joint or cables cross it, leave them muted. If the "
                              "skin is whole there, check the cells beside it."),
        .remedies = {LightCell}},
       {.code = InsideOut,

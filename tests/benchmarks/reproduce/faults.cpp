@@ -419,8 +419,6 @@ bool isAboutAll(const Finding& finding, std::size_t cells) {
   switch (finding.code) {
     case FindingCode::ContradictsModel:
     case FindingCode::InsideOut:
-    case FindingCode::ShiftedReadings:
-    case FindingCode::MixedReadings:
     case FindingCode::SensorsUnlikeModel:
       return true;
     default:
