@@ -7365,6 +7365,42 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>That should bring {}.</source>
         <translation>Das sollte {} bringen.</translation>
     </message>
+    <message>
+        <source>Links along one line fit no skin: the skin is torn there, or a joint or cables cross it. All its links are named, end by end, and muted.</source>
+        <translation>Verbindungen entlang einer Linie passen in keine Haut: Dort ist die Haut gerissen, oder ein Gelenk oder Kabel queren sie. Alle diese Verbindungen sind mit ihren Enden genannt und ausgeschlossen.</translation>
+    </message>
+    <message>
+        <source>The links lie side by side, and without them both sides fit.</source>
+        <translation>Die Verbindungen liegen nebeneinander, und ohne sie passen beide Seiten.</translation>
+    </message>
+    <message>
+        <source>Look along the line of links. If a joint or cables cross it, leave them muted. If the skin is whole there, check the cells beside it.</source>
+        <translation>Sehen Sie die Linie der Verbindungen entlang. Wenn ein Gelenk oder Kabel sie queren, lassen Sie sie ausgeschlossen. Wenn die Haut dort ganz ist, prüfen Sie die Zellen daneben.</translation>
+    </message>
+    <message>
+        <source>&quot;convex&quot; or &quot;concave&quot;</source>
+        <translation>„convex“ oder „concave“</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>{} links that lie side by side fit no skin, from the {} to the {}: the skin is torn along them, or a joint or cables lie between its two sides. The links are not used.</source>
+        <translation>{} Verbindungen, die nebeneinander liegen, passen in keine Haut, von der {} bis zur {}: Die Haut ist dort gerissen, oder zwischen ihren beiden Seiten liegen ein Gelenk oder Kabel. Die Verbindungen werden nicht benutzt.</translation>
+    </message>
+    <message>
+        <source>After {} findings the readings still do not fit the model, and the search was ended: there is one cause behind them that it does not know, or most of the skin is faulty.</source>
+        <translation>Nach {} Befunden passen die Messwerte noch immer nicht zum Modell, und die Suche wurde beendet: Dahinter steht eine Ursache, die es nicht kennt, oder das meiste der Haut ist schadhaft.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>
