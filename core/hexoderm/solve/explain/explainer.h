@@ -29,8 +29,8 @@ Explainer makeWholeSkinExplainer();
 /// suspicious and stays, and so do its links.
 Explainer makeNeighborExplainer();
 
-/// By the joint estimate: a tear through the link that leaves its loops open the most (tearThrough()). Weighed before
-/// cells and links beside it, which a torn patch strains.
+/// By the joint estimate, where a link leaves its loops open: a tear through it or through links that stand out more
+/// (tearThrough()). Weighed before cells and links beside it, which a torn patch strains.
 Explainer makeTearExplainer();
 
 /// By the joint estimate: in every patch the cell whose readings fit the gravity of all others worst, in whatever
