@@ -34,7 +34,7 @@ struct SolveBatch {
   std::vector<std::string> inputs;
   std::string folder;  ///< where the calibrations go, made if it is not there; empty: nowhere
   SolverOptions solver;
-  std::size_t jobs = 1;  ///< sessions that are solved at the same time, each on a thread of its own; at least 1
+  std::size_t jobs = 1;   ///< sessions that are solved at the same time, each on a thread of its own; at least 1
   std::string surface{};  ///< "convex" or "concave"; empty: as each session says
 };
 

@@ -4805,6 +4805,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>entlang {} gespiegelt</translation>
     </message>
     <message>
+        <source>mirrored, {} and {} exchanged</source>
+        <translation>gespiegelt, {} und {} vertauscht</translation>
+    </message>
+    <message>
         <source>mirrored, with axes exchanged</source>
         <translation>gespiegelt, mit vertauschten Achsen</translation>
     </message>
@@ -4825,8 +4829,8 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <translation>wenn die Ports um {} weiter nummeriert sind</translation>
     </message>
     <message>
-        <source>The links of the patch of cell {} are turned as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}. All links fit {}. No other fault was looked for.</source>
-        <translation>Die Verbindungen des Hautstücks von Zelle {} sind verdreht wie auf keiner Fläche: Die Achsen der Beschleunigungssensoren oder die Nummern der Ports sind nicht wie im Zellmodell {}. Alle Verbindungen passen, {}. Nach anderen Fehlern wurde nicht gesucht.</translation>
+        <source>The links of the patch of cell {} are turned as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}. All links fit, for example, {}. No other fault was looked for.</source>
+        <translation>Die Verbindungen des Hautstücks von Zelle {} sind verdreht wie auf keiner Fläche: Die Achsen der Beschleunigungssensoren oder die Nummern der Ports sind nicht wie im Zellmodell {}. Alle Verbindungen passen zum Beispiel, {}. Nach anderen Fehlern wurde nicht gesucht.</translation>
     </message>
     <message>
         <source>The links of the patch of cell {} are turned as on no surface: the axes of the accelerometers or the numbers of the ports are not as in the cell model {}. No other fault was looked for.</source>

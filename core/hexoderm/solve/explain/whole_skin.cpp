@@ -115,7 +115,7 @@ class WholeSkin {
     return makeFinding(FindingCode::ContradictsModel,
                        with ? message("The links of the patch of cell {} are turned as on no surface: the axes of the "
                                       "accelerometers or the numbers of the ports are not as in the cell model {}. All "
-                                      "links fit {}. No other fault was looked for.",
+                                      "links fit, for example, {}. No other fault was looked for.",
                                       first, skin.model().name, *with)
                             : message("The links of the patch of cell {} are turned as on no surface: the axes of the "
                                       "accelerometers or the numbers of the ports are not as in the cell model {}. No "

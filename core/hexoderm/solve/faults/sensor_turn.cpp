@@ -11,7 +11,7 @@ namespace hexoderm {
 std::vector<SensorTurn> possibleSensorTurns() {
   std::vector<SensorTurn> turns;
   constexpr std::array<std::array<int, 3>, 6> kOrders = {
-      {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
+      {{0, 1, 2}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}, {1, 2, 0}, {2, 0, 1}}};
   for (const std::array<int, 3>& order : kOrders) {
     for (unsigned signs = 0; signs < 8; ++signs) {
       Eigen::Matrix3d M = Eigen::Matrix3d::Zero();
@@ -39,6 +39,13 @@ Message turnText(const SensorTurn& turn) {
       if (M.isApprox(Eigen::Matrix3d(diagonal.asDiagonal()))) {
         return message("mirrored along {}", axes.at(static_cast<std::size_t>(axis)));
       }
+    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const auto first = static_cast<std::size_t>(axis == 0 ? 1 : 0);
+      const auto second = static_cast<std::size_t>(axis == 2 ? 1 : 2);
+      Eigen::Matrix3d exchange = Eigen::Matrix3d::Identity();
+      exchange.row(static_cast<Eigen::Index>(first)).swap(exchange.row(static_cast<Eigen::Index>(second)));
+      if (M.isApprox(exchange)) return message("mirrored, {} and {} exchanged", axes.at(first), axes.at(second));
     }
     return message("mirrored, with axes exchanged");
   }

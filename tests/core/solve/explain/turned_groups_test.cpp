@@ -40,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(
                       TurnedCase{"ThirdAboutX", "sphere:r=0.12", 1, 8, turned(Eigen::Vector3d::UnitX(), 90)},
                       TurnedCase{"HalfAboutZ", "cylinder:r=0.08", 14, 25, turned(Eigen::Vector3d::UnitZ(), 180)},
                       TurnedCase{"HalfReflected", "torus:R=0.2,r=0.08", 1, 12, mirrored(1)}),
-    [](const auto& info) { return info.param.name; });
+    [](const auto& test) { return test.param.name; });
 
 TEST_P(TurnedGroup, IsOneFindingAndItsReadingsAreTurnedBack) {
   const TurnedCase& turned = GetParam();

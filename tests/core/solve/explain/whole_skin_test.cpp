@@ -31,7 +31,7 @@ TEST(WholeSkin, SaysWithWhichAxesOrPortsAllLinksFit) {
     const auto result = solvedWith(fault, "x17", "", 1);
     return result->findings.empty() ? std::string() : result->findings[0].message.english();
   };
-  EXPECT_THAT(textOf(WholeSkinFault::AxesSwapped), HasSubstr("All links fit if"));
+  EXPECT_THAT(textOf(WholeSkinFault::AxesSwapped), HasSubstr("x and y exchanged"));
   EXPECT_THAT(textOf(WholeSkinFault::PortOffset), HasSubstr("if the ports are numbered 1 further on"));
 }
 
