@@ -33,6 +33,10 @@ Explainer makeNeighborExplainer();
 /// (tearThrough()). Weighed before cells and links beside it, which a torn patch strains.
 Explainer makeTearExplainer();
 
+/// By the joint estimate: the pose in which the part was in motion, for most cells leave more unexplained than in the
+/// others, or the part swings harder than a hand that means to hold it still.
+Explainer makeMovingPoseExplainer();
+
 /// By the joint estimate: in every patch the cell whose readings fit the gravity of all others worst, in whatever
 /// position, or which turned against them between two poses; and cells away from it that fit about as badly.
 Explainer makeMisfitExplainer();
