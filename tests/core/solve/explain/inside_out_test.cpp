@@ -18,9 +18,8 @@ Session onCylinder(bool is_mirrored, SkinSide side) {
 
 std::vector<FindingCode> found(bool is_mirrored, SkinSide side) {
   std::vector<FindingCode> codes;
-  for (const Finding& finding : reconstruct(*onCylinder(is_mirrored, side).snapshot())->findings) {
-    codes.push_back(finding.code);
-  }
+  const auto result = reconstruct(*onCylinder(is_mirrored, side).snapshot());
+  for (const Finding& finding : result->findings) codes.push_back(finding.code);
   return codes;
 }
 
