@@ -7405,6 +7405,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>After {} findings the readings still do not fit the model, and the search was ended: there is one cause behind them that it does not know, or most of the skin is faulty.</source>
         <translation>Nach {} Befunden passen die Messwerte noch immer nicht zum Modell, und die Suche wurde beendet: Dahinter steht eine Ursache, die es nicht kennt, oder das meiste der Haut ist schadhaft.</translation>
     </message>
+    <message>
+        <source>In pose {} the cells do not feel one and the same gravity, as they do in the others: the part was in motion. The pose is not used; take it again.</source>
+        <translation>In Pose {} spüren die Zellen nicht ein und dieselbe Schwerkraft wie in den anderen: Das Teil war in Bewegung. Die Pose wird nicht benutzt; nehmen Sie sie noch einmal auf.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

@@ -1,6 +1,5 @@
 #include "hexoderm/base/median.h"
 #include "hexoderm/solve/explain/explainer.h"
-#include "hexoderm/solve/faults/suspects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,7 +55,12 @@ std::optional<Explanation> explainMovingPoses(const Estimate& estimate) {
   if (!worst) return std::nullopt;
   Explanation found;
   found.poses = {worst->pose};
-  found.findings = {describeInconsistentPose(estimate.skin().poseId(worst->pose))};
+  const PoseId id = estimate.skin().poseId(worst->pose);
+  found.findings = {makeFinding(FindingCode::InconsistentPose,
+                                message("In pose {} the cells do not feel one and the same gravity, as they do in the "
+                                        "others: the part was in motion. The pose is not used; take it again.",
+                                        id),
+                                {}, {}, {id})};
   return found;
 }
 
