@@ -1034,6 +1034,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>place the patch of cell %1</source>
         <translation>Hautstück von Zelle %1 einordnen</translation>
     </message>
+    <message>
+        <source>say where the skin lies</source>
+        <translation>Lage der Haut angeben</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::EventLog</name>

@@ -79,6 +79,7 @@ inline void expectSameSession(const Session& a, const Session& b) {
   EXPECT_EQ(a.source().text, b.source().text);
   expectSameItems(a.poses(), b.poses(), expectSamePose);
   EXPECT_EQ(a.mutedLinks(), b.mutedLinks());
+  EXPECT_EQ(a.side(), b.side());
   EXPECT_EQ(a.robot(), b.robot());
   expectSameItems(a.placements(), b.placements(), expectSamePlacement);
   ASSERT_EQ(a.truth() == nullptr, b.truth() == nullptr);

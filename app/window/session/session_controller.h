@@ -52,6 +52,8 @@ class EditCommand : public QUndoCommand {
     } else if (const auto* placed = std::get_if<SetPatchPlacement>(&next_)) {
       const QString cell = QString::number(placed->placement.origin.value());
       setText(tr("place the patch of cell %1").arg(cell));
+    } else if (std::holds_alternative<SetSkinSide>(next_)) {
+      setText(tr("say where the skin lies"));
     } else if (const auto* excluded = std::get_if<SetLinkMuted>(&next_)) {
       const QString link = shortLinkName(std::min(excluded->a, excluded->b), std::max(excluded->a, excluded->b));
       setText(excluded->muted ? tr("set link %1 aside").arg(link) : tr("take link %1 back").arg(link));

@@ -106,11 +106,7 @@ Session parseSessionJson(std::string_view text, const std::string& file) {
   }
   requireG(session, file);
   if (const auto muted = json.find("muted_links")) readMutedLinks(*muted, session);
-  if (const auto surface = json.find("surface")) {
-    SkinSide side{};
-    Named{skinSideName, skinSideFromName, [] { return message("\"convex\" or \"concave\""); }}.take(*surface, side);
-    session.setSide(side);
-  }
+  if (const SkinSide side = readSkinSide(json); side != SkinSide::Unknown) session.setSide(side);
   if (const auto robot = json.find("robot")) session.setRobot(readRobot(*robot));
   if (const auto placements = json.find("placements")) {
     for (PatchPlacement& placement : readPlacements(*placements)) session.setPlacement(std::move(placement));
@@ -137,7 +133,7 @@ void writeSessionJson(const Session& session, const WriteBytes& write) {
   if (!session.mutedLinks().empty()) {
     json.arrayMember("muted_links", session.mutedLinks(), [&](const MutedLink& link) { writeMutedLink(link, json); });
   }
-  if (session.side() != SkinSide::Unknown) json.member("surface", skinSideName(session.side()));
+  writeSkinSide(session.side(), json);
   writeRobotMembers(session.robot(), session.placements(), json);
   if (session.truth()) {
     json.key("truth");

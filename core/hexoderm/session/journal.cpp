@@ -181,6 +181,7 @@ std::optional<SessionEdit> JournalState::editIn(const JournalEntry& entry, const
   }
   if (kind == "robot") return SetRobot{readRobot(json)};
   if (kind == "placement") return SetPatchPlacement{readPlacement(json)};
+  if (kind == "surface") return SetSkinSide{readSkinSide(json)};
   if (kind == "mute" || kind == "unmute") {
     MutedLink link = readMutedLink(json);
     return SetLinkMuted{link.source, link.target, kind == "mute", std::move(link.why)};
@@ -270,6 +271,13 @@ void JournalState::sayEdit(const SessionEdit& edit, const std::string& raw_sha25
     entry.kind = "placement";
     placed->placement.validate();
     entry.detail = jsonText([&](JsonWriter& json) { writePlacement(placed->placement, json); });
+  } else if (const auto* surface = std::get_if<SetSkinSide>(&edit)) {
+    entry.kind = "surface";
+    entry.detail = jsonText([&](JsonWriter& json) {
+      json.beginObject();
+      writeSkinSide(surface->side, json);
+      json.endObject();
+    });
   } else if (const auto* skin = std::get_if<SetSkin>(&edit)) {
     if (!skin->model) throw InvalidArgument(message("a skin must have a cell model"));
     entry.kind = "skin";

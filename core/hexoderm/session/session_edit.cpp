@@ -21,6 +21,7 @@ struct Apply {
   void operator()(const SetLinkMuted& set) const { session.setLinkMuted(set.a, set.b, set.muted, set.why); }
   void operator()(const SetRobot& set) const { session.setRobot(set.robot); }
   void operator()(const SetPatchPlacement& set) const { session.setPlacement(set.placement); }
+  void operator()(const SetSkinSide& set) const { session.setSide(set.side); }
   void operator()(const SetSkin& skin) const {
     if (!skin.model) throw InvalidArgument(message("a skin must have a cell model"));
     session.setSkin(*skin.model, skin.neighbors);
@@ -55,6 +56,7 @@ struct Invert {
     nothing.origin = set.placement.origin;
     return SetPatchPlacement{nothing};
   }
+  SessionEdit operator()(const SetSkinSide& /*set*/) const { return SetSkinSide{before.side()}; }
   SessionEdit operator()(const SetSkin& /*skin*/) const {
     return SetSkin{std::make_shared<const CellModel>(before.model()), before.neighbors()};
   }

@@ -56,6 +56,10 @@ struct SetRobot {
 struct SetPatchPlacement {
   PatchPlacement placement{};
 };
+/// Session::setSide(): on the outside of a body or in a hollow.
+struct SetSkinSide {
+  SkinSide side = SkinSide::Unknown;
+};
 /// Session::setSkin(): cell model and topology as reported anew. Poses, and links that were set aside, stay.
 struct SetSkin {
   std::shared_ptr<const CellModel> model;  ///< never null
@@ -64,7 +68,7 @@ struct SetSkin {
 
 /// One edit of a session, as a value: it is applied to sessions, kept for undo and written to files.
 using SessionEdit = std::variant<AddPose, RemovePose, RestorePose, SetPoseDisabled, SetJointAngles, SetLinkMuted,
-                                 SetRobot, SetPatchPlacement, SetSkin>;
+                                 SetRobot, SetPatchPlacement, SetSkinSide, SetSkin>;
 
 /// Whether the edit is about the robot alone, with its joint angles: what was reconstructed of the skin stays as it is.
 bool isAboutRobot(const SessionEdit& edit);

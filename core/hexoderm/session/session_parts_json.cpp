@@ -121,6 +121,18 @@ std::optional<SkinSide> skinSideFromName(std::string_view name) {
   return std::nullopt;
 }
 
+SkinSide readSkinSide(const JsonReader& json) {
+  SkinSide side = SkinSide::Unknown;
+  if (const auto surface = json.find("surface")) {
+    Named{skinSideName, skinSideFromName, [] { return message("\"convex\" or \"concave\""); }}.take(*surface, side);
+  }
+  return side;
+}
+
+void writeSkinSide(SkinSide side, JsonWriter& json) {
+  if (side != SkinSide::Unknown) json.member("surface", skinSideName(side));
+}
+
 std::optional<RobotDescription> readRobot(const JsonReader& json) {
   if (!json.find("urdf")) return std::nullopt;
   RobotDescription robot;

@@ -63,6 +63,9 @@ struct AsJointAngles {
 /// "convex" and "concave", as in files; "" for SkinSide::Unknown. Nothing for a name that is none.
 std::string_view skinSideName(SkinSide side);
 std::optional<SkinSide> skinSideFromName(std::string_view name);
+/// The member `surface` of an object; without it nothing is known.
+SkinSide readSkinSide(const JsonReader& json);
+void writeSkinSide(SkinSide side, JsonWriter& json);
 
 /// `urdf`, `sha256` and `packages`; an object without `urdf` is no robot.
 std::optional<RobotDescription> readRobot(const JsonReader& json);

@@ -110,6 +110,7 @@ void forEachOperationThatMakes(const Session& session, Visit visit) {
   for (const MutedLink& link : session.mutedLinks()) visit(SetLinkMuted{link.source, link.target, true, link.why});
   if (session.robot()) visit(SetRobot{session.robot()});
   for (const PatchPlacement& placement : session.placements()) visit(SetPatchPlacement{placement});
+  if (session.side() != SkinSide::Unknown) visit(SetSkinSide{session.side()});
 }
 
 [[noreturn]] void failExists(const std::filesystem::path& path) {

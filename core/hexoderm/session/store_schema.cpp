@@ -43,7 +43,10 @@ constexpr const char* kVersion3 = "";
 // And of the kinds "robot" and "placement".
 constexpr const char* kVersion4 = "";
 
-constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3, kVersion4};
+// And of the kind "surface".
+constexpr const char* kVersion5 = "";
+
+constexpr std::array kMigrations = {kVersion1, kVersion2, kVersion3, kVersion4, kVersion5};
 static_assert(kMigrations.size() == kStoreVersion);
 
 /// Reading a schema of a few entries takes a few hundred; a database can be made so that it takes for ever.

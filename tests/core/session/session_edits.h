@@ -55,6 +55,7 @@ inline std::vector<SessionEdit> edits() {
           SetPatchPlacement{onLink(CellId(1), "hand")},
           SetPatchPlacement{emptyPlacement(CellId(1))},
           SetPatchPlacement{emptyPlacement(CellId(2))},
+          SetSkinSide{SkinSide::Concave},
           SetSkin{std::make_shared<const CellModel>(model), {{CellId(1), "elbow", {}}}}};
 }
 

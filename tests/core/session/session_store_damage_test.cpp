@@ -52,10 +52,10 @@ class DamagedStore : public StoreTest {
 };
 
 TEST_F(DamagedStore, NewerVersionsAreRefusedNamingBoth) {
-  execute("PRAGMA user_version=5");
-  EXPECT_THAT(complaint(), saysAll("user_version", "version 5", "up to version 4"));
+  execute("PRAGMA user_version=6");
+  EXPECT_THAT(complaint(), saysAll("user_version", "version 6", "up to version 5"));
   execute("PRAGMA user_version=-1");
-  EXPECT_THAT(complaint(), saysAll("version -1", "version 4"));
+  EXPECT_THAT(complaint(), saysAll("version -1", "version 5"));
 }
 
 TEST_F(DamagedStore, FilesOfOlderVersionsAreReadAndBroughtToTheNewestByAWriter) {
@@ -162,7 +162,7 @@ TEST_F(DamagedStore, TablesAreNothingElse) {
            "FROM n) SELECT entry, 0 AS at_ms, '' AS kind, '' AS detail, x'' AS samples, x'' AS digest FROM n",
        }) {
     execute(sql);
-    EXPECT_THAT(complaint(), saysAll("expected the tables of a Hexoderm session of version 4")) << sql;
+    EXPECT_THAT(complaint(), saysAll("expected the tables of a Hexoderm session of version 5")) << sql;
     std::ofstream(path_, std::ios::binary) << whole;
   }
 }

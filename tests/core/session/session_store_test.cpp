@@ -114,7 +114,7 @@ TEST_F(SessionStoreTest, KeepsEveryEdit) {
     removeSessionStore(path_);
   }
   EXPECT_THAT(written, ElementsAre("capture", "disable", "enable", "joints", "mute", "placement", "remove", "robot",
-                                   "skin", "unmute"));
+                                   "skin", "surface", "unmute"));
 }
 
 TEST_F(SessionStoreTest, KeepsSourceSkinTruthAndOptionsAsLastSet) {
