@@ -7413,6 +7413,10 @@ Die Balken sagen, wie sehr sich die gesehenen Richtungen in drei Achsen untersch
         <source>In pose {} the cells do not feel one and the same gravity, as they do in the others: the part was in motion. The pose is not used; take it again.</source>
         <translation>In Pose {} spüren die Zellen nicht ein und dieselbe Schwerkraft wie in den anderen: Das Teil war in Bewegung. Die Pose wird nicht benutzt; nehmen Sie sie noch einmal auf.</translation>
     </message>
+    <message>
+        <source>The links fit if every cell has the readings of the cell with the next ID: the IDs of the readings are shifted by one. Connect the skin again. No other fault was looked for.</source>
+        <translation>Die Verbindungen passen, wenn jede Zelle die Messwerte der Zelle mit der nächsten ID hat: Die IDs der Messwerte sind um eins verschoben. Verbinden Sie die Haut neu. Nach anderen Fehlern wurde nicht gesucht.</translation>
+    </message>
 </context>
 <context>
     <name>hexoderm::MessageBar</name>

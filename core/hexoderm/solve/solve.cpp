@@ -79,9 +79,10 @@ std::unique_ptr<const Estimate> solveSkin(const SessionSnapshot& snapshot, const
   // Lines 1 to 6, the graph and its patches, and 8, the gravity vectors.
   auto estimate = std::make_unique<Estimate>(snapshot, options, earlier, progress);
   // Those that need least of the estimate first.
-  const std::array explainers = {makeTurnedGroupExplainer(), makeWholeSkinExplainer(),  makeNeighborExplainer(),
-                                 makeTearExplainer(),        makeMovingPoseExplainer(), makeMisfitExplainer(),
-                                 makeOpenLinkExplainer(),    makeAttitudeExplainer(),   makeInsideOutExplainer()};
+  const std::array explainers = {makeShiftedIdExplainer(), makeTurnedGroupExplainer(), makeWholeSkinExplainer(),
+                                 makeNeighborExplainer(),  makeTearExplainer(),        makeMovingPoseExplainer(),
+                                 makeMisfitExplainer(),    makeOpenLinkExplainer(),    makeAttitudeExplainer(),
+                                 makeInsideOutExplainer()};
   Rounds rounds(estimate->skin().graph());
   Answer answer{};
   do {

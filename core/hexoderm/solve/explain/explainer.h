@@ -24,6 +24,9 @@ Explainer makeTurnedGroupExplainer();
 /// ends the search. Says with which exchange of axes, or numbering of ports, all links fit, if there is one.
 Explainer makeWholeSkinExplainer();
 
+/// By the links' rotations: every cell has the readings of the cell with the next ID, or the one before. Asked once.
+Explainer makeShiftedIdExplainer();
+
 /// By neighbouring cells alone (SuspectSearch): a pose in which the part moved, cells that contradict their neighbours,
 /// and then the links that no skin link can be. A cell that two poses don't clearly show to be wrong is called
 /// suspicious and stays, and so do its links.
