@@ -10,6 +10,7 @@
 #include "hexoderm/solve/metrics/pose_summary.h"
 #include "hexoderm/solve/solve.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -26,7 +27,10 @@ std::vector<Finding> findingsOf(const Estimate& estimate) {
       nameUnconverged(estimate.skin().graph().cells()[patch.origin()].id, patch.joint()->solution(), findings);
     }
     nameUnlikelySensors(estimate.skin(), estimate.patches(), findings);
-    namePoorFit(estimate.skin(), estimate.patches(), findings);
+    // One finding for one cause: what is refuted already fits poorly.
+    if (std::ranges::none_of(findings, refutesModel, &Finding::code)) {
+      namePoorFit(estimate.skin(), estimate.patches(), findings);
+    }
   }
   addConsequences(estimate.skin(), findings);
   return findings;
