@@ -63,7 +63,7 @@ class FindingPresenter : public Presenter {
   static LinkEnd secondEnd(const Finding& finding) { return {finding.cells[1], finding.ports[1]}; }
 
   /// It is about the topology or a link, not about a cell's readings, a pose or the estimate, by the order of codes.
-  static bool isAboutTheReport(const Finding& finding) { return finding.code <= FindingCode::ContradictsModel; }
+  static bool isAboutTheReport(const Finding& finding) { return finding.code <= FindingCode::TornSkin; }
 
   void showAll() {
     panels.details().show();
