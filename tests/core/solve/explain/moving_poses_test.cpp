@@ -35,12 +35,11 @@ TEST(MovingPoses, AShakenPoseIsTheOnlyFindingAndIsNotUsed) {
 
 TEST(MovingPoses, ACellThatTurnedIsNotTakenForAPoseInMotion) {
   SimulatedSkinOptions options = test::skinOptions("x17", "", 3);
-  const Session session =
-      test::changed(test::simulatedSession(options, kPoses), [](std::size_t pose, GravitySample& sample) {
-        if (pose == kShaken && sample.cell == CellId(5)) {
-          sample.mean_g = expSO3(Eigen::Vector3d(0.5, 0.3, 0)) * sample.mean_g;
-        }
-      });
+  const Session session = changed(test::simulatedSession(options, kPoses), [](std::size_t pose, GravitySample& sample) {
+    if (pose == kShaken && sample.cell == CellId(5)) {
+      sample.mean_g = expSO3(Eigen::Vector3d(0.5, 0.3, 0)) * sample.mean_g;
+    }
+  });
   const auto result = reconstruct(*session.snapshot());
   EXPECT_THAT(result->findings, Not(Contains(Field(&Finding::code, FindingCode::InconsistentPose))));
 }
