@@ -45,7 +45,7 @@ TEST(SessionEdit, OnlyThoseAboutTheRobotLeaveTheSkinAsItIs) {
     // What a solver looks at.
     const Session before = threePoses();
     bool same = session.poses().size() == before.poses().size() && session.mutedLinks() == before.mutedLinks() &&
-                session.neighbors() == before.neighbors();
+                session.neighbors() == before.neighbors() && session.side() == before.side();
     for (std::size_t k = 0; same && k < session.poses().size(); ++k) {
       const SessionPose& a = session.poses()[k];
       const SessionPose& b = before.poses()[k];
