@@ -337,7 +337,7 @@ struct SolveOptions {
   std::vector<std::uint32_t> without;
   double class_threshold = SolverOptions().class_threshold;
   std::vector<double> goal;  ///< mm, degrees; empty: the default
-  std::string surface;  ///< as SolveBatch has it
+  std::string surface;       ///< as SolveBatch has it
 };
 
 void printSummary(const Reconstruction& r, const Session& session) {

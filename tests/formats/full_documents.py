@@ -72,7 +72,7 @@ def full_documents(root, cli):
         (pathlib.Path(folder) / "own.json").write_text(json.dumps(model), encoding="utf-8")
         run("simulate", "--patch", "sheet:2x2", "--poses", "3", "--cell-model", "own.json", "-o", "s.session.json")
         session = load("s.session.json")
-        session.update(description=english("ring"), description_message=message("ring"), robot=ROBOT,
+        session.update(description=english("ring"), description_message=message("ring"), robot=ROBOT, surface="concave",
                        muted_links=[{"source": 3, "source_port": 4, "target": 9, "target_port": 2, "why": "a cable"}])
         for cell in session["cells"]:
             cell["body_part"] = "arm"

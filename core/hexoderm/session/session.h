@@ -110,7 +110,7 @@ class Session {
   void setLinkMuted(LinkEnd a, LinkEnd b, bool muted, std::string why = {});
 
   [[nodiscard]] SkinSide side() const { return now_.side; }  ///< on the outside of a body or in a hollow
-  void setSide(SkinSide side);
+  void setSide(SkinSide side);                               ///< see side()
 
   /// Throws InvalidArgument for a description that makes no sense.
   void setRobot(std::optional<RobotDescription> robot);

@@ -231,7 +231,9 @@ class WrongAxes(unittest.TestCase):
                     bends, twists = (np.degrees([getattr(link, name) for link in calibration.patches[0].links])
                                      for name in ("bend_rad", "twist_rad"))
                     codes = [finding.code for finding in calibration.findings]
-                    self.assertEqual(codes, ["inside-out"] if degrees < 0 else [])
+                    # Chains that twist are found, but not by what.
+                    self.assertIn(codes, [["poor-fit"], ["contradicts-model"]] if degrees == 0 else
+                                  [["inside-out"] if degrees < 0 else []])
                     self.assertGreater((twists if degrees == 0 else np.sign(degrees) * bends).min(), 10)
                     if degrees >= 0:
                         self.assertLess(abs((bends if degrees == 0 else twists).mean()), 2)

@@ -64,7 +64,7 @@ class WindowAgreementTest : public WindowTest {
 
 TEST_F(WindowAgreementTest, OfBannerStepsActionsAndReportInRandomSessions) {
   constexpr std::uint64_t kSessions = 60;
-  std::array<std::size_t, 4> levels{};
+  std::array<std::size_t, 6> levels{};
   for (std::uint64_t seed = 1; seed <= kSessions && !HasFailure(); ++seed) {
     SCOPED_TRACE("session " + std::to_string(seed));
     // Seeds that agreement_test does not draw.

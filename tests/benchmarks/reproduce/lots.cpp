@@ -179,7 +179,8 @@ void print(const std::vector<FigureRow>& rows, const FigureRow& few, const std::
       << "Orientation, degrees: median over the skins where the cell model knows the lot / the same where it states\n"
       << "all errors as the chips' own, of the same size / the Cramer-Rao bound, rms over the skins; medians may lie\n"
       << "below. The bound is that of the joint estimate's information matrix at the true placements and forces, with\n"
-      << "the cell model's sigmas as priors and the tremor that the readings show, each cell's own as the estimate has it,\n"
+      << "the cell model's sigmas as priors and the tremor that the readings show, each cell's own as the estimate has "
+         "it,\n"
       << "while cells of one part tremble together. Errors are rms over the cells, all turned together to fit "
          "best.\n\n";
   printTable(besideEachOther(rows, 4, "orientation"));

@@ -33,8 +33,8 @@ std::vector<double> middleMisfits(const SkinLinks& skin, const PatchSolver& patc
 /// A pose beyond all limits: no pose of 480 simulated skins of 13 shapes, in a hand and on a robot, comes near.
 void findMovingPose(const SkinLinks& skin, const PatchSolver& patch, std::optional<MovingPose>& worst) {
   constexpr std::size_t kFewestPoses = 3;
-  constexpr double kMaxMisfit = 0.5;
-  constexpr double kTimesOthers = 2.5;
+  constexpr double kMaxMisfit = 0.7;
+  constexpr double kTimesOthers = 3;
   constexpr double kMaxAcceleration_rad_s2 = 4;
   const GlobalRefinement& joint = *patch.joint();
   if (joint.poses().size() < kFewestPoses) return;

@@ -11,7 +11,7 @@ constexpr std::size_t kShaken = 2;
 
 /// A skin of which all cells are shaken in one pose.
 Session shakenSkin(const char* patch, const char* surface, std::uint64_t seed) {
-  constexpr double kVibration_g = 0.3;
+  constexpr double kVibration_g = 0.1;
   constexpr double kRate_hz = 100;
   test::NormalDraw random(seed);
   return test::shaken(test::simulatedSession(test::skinOptions(patch, surface, seed), kPoses), kShaken, kVibration_g,
