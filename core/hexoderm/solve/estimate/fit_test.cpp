@@ -18,7 +18,7 @@ using FitSums = std::array<Misfit, 3>;
 /// freedom: means that are rounded come to 1.5; on a sphere of 7 to 10 cm, on which no honeycomb lies, the angles of
 /// links come to 2.6, and some openings of their loops to 3; on a robot's leg, whose boards are no cells in an
 /// elastomer, angles come to 4.4.
-constexpr std::array<double, 3> kMinExcess = {2, 6, 6};
+constexpr std::array<double, 3> kMinExcess = {2, 5, 6};
 /// A surface bends links and turns them in its plane, but hardly twists one: of 480 simulated skins of 13 shapes none
 /// twists a link by more than 2 of the elastomer's sigmas.
 constexpr double kMaxTwist = 3;

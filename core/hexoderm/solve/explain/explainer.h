@@ -37,7 +37,7 @@ Explainer makeNeighborExplainer();
 Explainer makeTearExplainer();
 
 /// By the joint estimate: the pose in which the part was in motion, for most cells leave more unexplained than in the
-/// others, or the part swings harder than a hand that means to hold it still.
+/// others.
 Explainer makeMovingPoseExplainer();
 
 /// By the joint estimate: in every patch the cell whose readings fit the gravity of all others worst, in whatever

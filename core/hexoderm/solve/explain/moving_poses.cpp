@@ -35,14 +35,12 @@ void findMovingPose(const SkinLinks& skin, const PatchSolver& patch, std::option
   constexpr std::size_t kFewestPoses = 3;
   constexpr double kMaxMisfit = 0.7;
   constexpr double kTimesOthers = 3;
-  constexpr double kMaxAcceleration_rad_s2 = 4;
   const GlobalRefinement& joint = *patch.joint();
   if (joint.poses().size() < kFewestPoses) return;
   const std::vector<double> misfits = middleMisfits(skin, patch);
   const double limit = std::max(kMaxMisfit, kTimesOthers * median(misfits));
   for (std::size_t k = 0; k < misfits.size(); ++k) {
-    const double swing = joint.solution().state.acceleration_o[k].norm() / kMaxAcceleration_rad_s2;
-    const double times = std::max(misfits[k] / limit, swing);
+    const double times = misfits[k] / limit;
     if (times > (worst ? worst->times : 1)) worst = MovingPose{joint.poses()[k], times};
   }
 }

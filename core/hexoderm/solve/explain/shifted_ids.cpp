@@ -32,11 +32,8 @@ class OtherReadings {
     }
   }
 
-  /// Whether many links are too far off for a skin, so that it is worth looking.
-  [[nodiscard]] bool areLikely() const {
-    constexpr double kSuspicious = 3;  // squared misfit per link; of healthy skins it is half of that
-    return misfit() > kSuspicious * static_cast<double>(links_.size());
-  }
+  /// As large a misfit as that of healthy skins, and a third more.
+  [[nodiscard]] double usualMisfit() const { return 2 * static_cast<double>(links_.size()); }
 
   [[nodiscard]] double misfit() const {
     double sum = 0;
@@ -76,13 +73,12 @@ class ShiftedIds {
   [[nodiscard]] std::optional<Explanation> operator()(const Estimate& estimate) {
     constexpr std::size_t kFewest = 4;
     constexpr double kLeastGain = 40;
-    constexpr double kAtMost = 0.5;  // of the misfit with the readings as they are
     if (std::exchange(asked_, true)) return std::nullopt;
     const OtherReadings readings(estimate.skin());
-    if (readings.cells() < kFewest || !readings.areLikely()) return std::nullopt;
     const double as_is = readings.misfit();
+    if (readings.cells() < kFewest || as_is < readings.usualMisfit()) return std::nullopt;
     const double with = std::min(readings.misfitWith(1), readings.misfitWith(readings.cells() - 1));
-    if (as_is - with < kLeastGain || with > kAtMost * as_is) return std::nullopt;
+    if (as_is - with < kLeastGain || with > readings.usualMisfit()) return std::nullopt;
     Explanation found;
     found.findings.push_back(makeFinding(
         FindingCode::ContradictsModel,
