@@ -133,7 +133,8 @@ TEST(RealSensors, ThreeHoldsTellNoErrors) {
   const SensorStatistics statistics = statisticsOf("three_holds");
   const SensorSigmas& sigmas = statistics.sigmas;
   EXPECT_EQ(statistics.cells_used, 5U);
-  EXPECT_NE(sigmas.offset_g.knowledge, SigmaKnowledge::Measured) << "two directions tell no lot's offset from its scale";
+  EXPECT_NE(sigmas.offset_g.knowledge, SigmaKnowledge::Measured)
+      << "two directions tell no lot's offset from its scale";
   EXPECT_EQ(sigmas.scale.knowledge, SigmaKnowledge::Unknown);
   EXPECT_EQ(sigmas.cross_axis.knowledge, SigmaKnowledge::Unknown);
 }
