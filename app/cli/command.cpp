@@ -295,7 +295,8 @@ void printVerdict(const Assessment& assessment) {
   const std::string beginning = static_cast<char>(std::toupper(word.front())) + word.substr(1) + ": ";
   const bool repeats = reason.starts_with(beginning);
   if (repeats) reason.erase(0, beginning.size());
-  std::cout << "Verdict: " << (repeats ? word + ", " : word + ". ") << forTerminal(reason) << '\n';
+  const bool is_figures = repeats && assessment.level != VerdictLevel::NotTrusted;
+  std::cout << "Verdict: " << (is_figures ? word + ", " : word + ". ") << forTerminal(reason) << '\n';
   if (!assessment.next_action.empty()) std::cout << "Next: " << forTerminal(assessment.next_action.english()) << '\n';
 }
 
