@@ -2,8 +2,11 @@
 #include "hexoderm/solve/explain/explainer.h"
 #include "hexoderm/solve/faults/sensor_turn.h"
 #include "hexoderm/solve/faults/turn_map.h"
+#include "hexoderm/solve/metrics/pose_coverage.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -86,11 +89,26 @@ class PatchModels {
   std::size_t patch_;
 };
 
+/// Where gravity lies along one line, nothing tells how links are turned about it.
+bool readsOneLine(const SkinLinks& skin) {
+  const GravityTable& table = skin.table();
+  std::vector<std::size_t> cells(table.cellCount());
+  std::iota(cells.begin(), cells.end(), std::size_t{0});
+  const auto cell = std::ranges::max_element(cells, {}, [&](std::size_t k) { return table.usablePoseCount(k); });
+  if (cell == cells.end()) return false;
+  std::vector<Eigen::Vector3d> directions;
+  for (const std::size_t pose : table.usablePoses(*cell)) {
+    directions.push_back(table.at(*cell, pose).mean_g.normalized());
+  }
+  return lieAlongOneLine(directions);
+}
+
 class WholeSkin {
  public:
   [[nodiscard]] std::optional<Explanation> operator()(const Estimate& estimate) {
     if (std::exchange(revision_, estimate.linkRevision()) == estimate.linkRevision()) return std::nullopt;
     const SkinLinks& skin = estimate.skin();
+    if (readsOneLine(skin)) return std::nullopt;
     Explanation found;
     for (std::size_t patch = 0; patch < skin.graph().patches().size(); ++patch) {
       constexpr std::size_t kFewest = 4;
